@@ -2,9 +2,10 @@
 
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
-# Targets: Tegument::host draws, Tegument::assets makes what effects take from meshes; the others are their parts.
+# Targets: Tegument::host draws, Tegument::assets makes what effects take from meshes, Tegument::check and Tegument::emit compile for engines; the others are
+# their parts.
 add_library(tegument_host INTERFACE)
-target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt tegument_check tegument_emit)
+target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt)
 set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check
     tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
     tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings)
@@ -20,8 +21,8 @@ install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegume
 # What a program may include: these, and no other header. A repository check keeps them from including what is not installed.
 set(public_headers
     host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/state.h host/support/text.h
-    host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
-    host/spirv/compile.h host/spirv/dxil.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
+    host/effect/entry_points.h host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
+    host/spirv/compile.h host/spirv/dxil.h tools/direct3d/microsoft.h tools/check/check.h tools/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
     host/mesh/mesh.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
     host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h

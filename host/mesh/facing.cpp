@@ -124,7 +124,7 @@ std::optional<Diagnostic> facingFault(const Facing& facing, const std::string& f
                           .code = code,
                           .at = {.file = file, .byte = {}},
                           .text = std::move(text),
-                          .hint = "fur grows and light falls on their front only: tegument prep MESH --orient -o NEW.glb turns them",
+                          .hint = "effects draw and light their front only: tegument prep MESH --orient -o NEW.glb turns them",
                           .sourceLine = {}};
     };
     if (facing.doubled > kDoubled)

@@ -180,7 +180,7 @@ Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, 
             .at = {.file = path.string(), .byte = {}},
             .text = fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
                                 lengthText(side), likely, lengthText(side / unitMm * likely)),
-            .hint = "skin and fur have true sizes: say what one unit of the file is with --unit-mm X",
+            .hint = "effects have true sizes: say what one unit of the file is with --unit-mm X",
             .sourceLine = {}};
 }
 

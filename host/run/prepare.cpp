@@ -207,13 +207,12 @@ Result<void> checkNumbers(const RunInput& input, const Prepared& prepared) {
 void warnUneven(const RunInput& input, Prepared& prepared) {
     if (!input.placed || isEvenlyScaled(input.placed->placement)) return;
     const glm::vec3& scale = input.placed->placement.scale;
-    prepared.warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4053,
-         .at = {.file = input.effect.file.string(), .byte = {}},
-         .text = fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
-         .hint = "bumps of a normal map keep their slopes, and strands of fur their lengths: scale the mesh before its maps are made",
-         .sourceLine = {}});
+    prepared.warnings.push_back({.severity = Severity::Warning,
+                                 .code = 4053,
+                                 .at = {.file = input.effect.file.string(), .byte = {}},
+                                 .text = fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
+                                 .hint = "maps that were made of the mesh keep its own measures: scale the mesh before they are made",
+                                 .sourceLine = {}});
 }
 
 void gatherReads(Prepared& prepared) {

@@ -20,11 +20,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The command that fills this file's folder of the cache; empty for other files.
-std::string commandThatMakes(const fs::path& file) {
+std::string commandThatMakes(const fs::path& file, const WorkspaceOptions& options) {
     const fs::path inCache = file.lexically_normal().lexically_relative(cacheFolder().lexically_normal());
-    const std::string folder = inCache.empty() ? std::string() : inCache.begin()->string();
-    if (folder == "human") return "tegument prep human";
-    return folder == "fur" ? "tegument prep bunny" : "";
+    const auto found = options.makers.find(inCache.empty() ? std::string() : inCache.begin()->string());
+    return found == options.makers.end() ? std::string() : found->second;
 }
 
 /// Reads the tree into the workspace.
@@ -312,7 +311,7 @@ private:
         whole.make_preferred();
         std::error_code code;
         if (error_ || fs::is_regular_file(whole, code)) return;
-        const std::string command = commandThatMakes(whole);
+        const std::string command = commandThatMakes(whole, options_);
         fail(5405, value, fmt::format("the file {} does not exist", whole.string()), command.empty() ? "" : "make it: " + command);
         if (!command.empty()) error_->blame = Blame::Machine;
     }

@@ -72,6 +72,7 @@ struct Workspace : MeshSource {
 
 struct WorkspaceOptions {
     bool requireMesh = true; // false: the mesh is given elsewhere, so neither it nor the textures made for it need exist
+    std::map<std::string, std::string> makers{}; // by folder of the cache: the command that fills it, for hints
 };
 
 /// Unknown and repeated keys, wrong types, values out of range, unset variables and missing files are errors with line and column.

@@ -3,6 +3,7 @@
 #include "host/support/file.h"
 #include "host/support/text.h"
 #include "lab/bench/shapes.h"
+#include "meshprep/assets/scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -176,7 +177,7 @@ Result<fs::path> makeShape(const SceneName& name, const std::string& text, const
 Result<fs::path> makeHead(const SceneName& name, const std::string& text, const SceneOptions& options) {
     const fs::path portrait = options.effects / "workspaces" / "human.json";
     if (!name.light && !name.shadow && !name.bumps && !name.checker && !name.pixelsPerMm) return portrait;
-    const auto workspace = loadWorkspace(portrait);
+    const auto workspace = loadWorkspace(portrait, assets::workspaceOptions());
     if (!workspace) return workspace.error();
     auto mesh = loadMesh(workspace->meshPath, meshOptions(*workspace));
     if (!mesh) return mesh.error();
@@ -215,7 +216,7 @@ Result<void> takeTextures(Scene& scene) {
 }
 
 Result<Scene> read(const std::string& name, const fs::path& file, bool needsUvs) {
-    auto workspace = loadWorkspace(file);
+    auto workspace = loadWorkspace(file, assets::workspaceOptions());
     if (!workspace) return workspace.error();
     if (!workspace->objects.empty())
         return usageError(8074, fmt::format("{} has {} objects: a comparison has one mesh", file.string(), workspace->objects.size()),

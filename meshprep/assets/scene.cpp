@@ -20,7 +20,7 @@ namespace {
 /// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its light, its background and its
 /// parameters stay.
 Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
-    const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
+    const WorkspaceOptions load = workspaceOptions(mesh && options.mesh.empty());
     if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
     const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
     std::error_code code;
@@ -178,6 +178,10 @@ void turn(double degrees, Scene& scene) {
 }
 
 } // namespace
+
+WorkspaceOptions workspaceOptions(bool requireMesh) {
+    return {.requireMesh = requireMesh, .makers = {{"human", "tegument prep human"}, {"fur", "tegument prep bunny"}}};
+}
 
 Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     auto workspace = chooseWorkspace(options, needsMesh);

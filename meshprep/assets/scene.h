@@ -38,6 +38,9 @@ struct Scene {
     bool isOwn = false; // the mesh is the user's, not the workspace's
 };
 
+/// A workspace whose mesh is one that the program makes, and is not there, names the command.
+[[nodiscard]] WorkspaceOptions workspaceOptions(bool requireMesh = true);
+
 /// Without `needsMesh` none is read, nor need it exist. TG8014 none was given, TG8017 --mesh or --unit-mm for a scene of several objects.
 [[nodiscard]] Result<Scene> loadScene(const SceneOptions& options, bool needsMesh);
 

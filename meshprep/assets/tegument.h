@@ -17,8 +17,6 @@
 // must outlive its Sessions and textures. To draw many frames keep a Session(device, job->effect, assets::sessionScene(job->scene)) and
 // call draw(job->scene.workspace, job->run): what did not change is not made again. One Session belongs to one thread at a time.
 
-#include "host/check/check.h"
-#include "host/emit/emit.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"

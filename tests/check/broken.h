@@ -3,8 +3,8 @@
 //     //~ TG1001                                  the front end, hence every target
 //     //~ fx_2_0 sm5 TG3101, spirv-dxc TG3001     these targets; every other target must not fail
 
-#include "host/check/check.h"
 #include "host/support/file.h"
+#include "tools/check/check.h"
 
 #include <gtest/gtest.h>
 

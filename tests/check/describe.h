@@ -1,7 +1,7 @@
 #pragma once
 // What a check of a file found, for the message of a failing test.
 
-#include "host/check/check.h"
+#include "tools/check/check.h"
 
 #include <string>
 

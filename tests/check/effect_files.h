@@ -1,7 +1,7 @@
 #pragma once
 // What tests of every effect go over.
 
-#include "host/check/check.h"
+#include "tools/check/check.h"
 
 #include <algorithm>
 #include <filesystem>

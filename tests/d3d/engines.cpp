@@ -1,11 +1,11 @@
 #include "tests/d3d/engines.h"
 
-#include "host/direct3d/microsoft.h"
-#include "host/direct3d/microsoft_messages.h"
-#include "host/direct3d/wine.h"
-#include "host/emit/emit.h"
 #include "host/support/file.h"
 #include "tests/d3d/job_file.h"
+#include "tools/direct3d/microsoft.h"
+#include "tools/direct3d/microsoft_messages.h"
+#include "tools/direct3d/wine.h"
+#include "tools/emit/emit.h"
 
 #include <fmt/format.h>
 

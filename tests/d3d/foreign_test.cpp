@@ -2,9 +2,6 @@
 // compiler makes of the same file, drawn by ID3DXEffect of Direct3D 9 with the same values.
 
 #include "host/adopt/adopt.h"
-#include "host/direct3d/microsoft.h"
-#include "host/direct3d/microsoft_messages.h"
-#include "host/direct3d/wine.h"
 #include "host/run/read_back.h"
 #include "host/run/semantics.h"
 #include "host/run/stage.h"
@@ -12,6 +9,9 @@
 #include "host/support/file.h"
 #include "tests/d3d/engines.h"
 #include "tests/d3d/job_file.h"
+#include "tools/direct3d/microsoft.h"
+#include "tools/direct3d/microsoft_messages.h"
+#include "tools/direct3d/wine.h"
 
 #include <gtest/gtest.h>
 

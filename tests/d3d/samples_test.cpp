@@ -1,13 +1,13 @@
 // The samples of docs/samples, run as a reader would run them.
 
-#include "host/direct3d/microsoft.h"
-#include "host/direct3d/microsoft_messages.h"
-#include "host/direct3d/wine.h"
-#include "host/emit/emit.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
 #include "host/support/file.h"
 #include "tests/d3d/engines.h"
+#include "tools/direct3d/microsoft.h"
+#include "tools/direct3d/microsoft_messages.h"
+#include "tools/direct3d/wine.h"
+#include "tools/emit/emit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "host/direct3d/effect_binary.h"
-#include "host/direct3d/sm3.h"
+#include "tools/direct3d/effect_binary.h"
+#include "tools/direct3d/sm3.h"
 
 #include <gtest/gtest.h>
 

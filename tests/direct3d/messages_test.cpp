@@ -1,4 +1,4 @@
-#include "host/direct3d/microsoft_messages.h"
+#include "tools/direct3d/microsoft_messages.h"
 
 #include <gtest/gtest.h>
 

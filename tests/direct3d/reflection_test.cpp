@@ -1,5 +1,5 @@
 // Reflections of Microsoft's compiler as JSON: what it says, and what it says as it dies.
-#include "host/direct3d/microsoft_reflection.h"
+#include "tools/direct3d/microsoft_reflection.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // What is written for Direct3D 12. DXC's validator is the judge: it refuses a shader whose root signature does not bind all that the shader
 // reads.
 
-#include "host/emit/emit.h"
+#include "tools/emit/emit.h"
 
 #include "host/spirv/dxil.h"
 #include "host/support/file.h"

@@ -1,10 +1,10 @@
-#include "host/emit/emit.h"
+#include "tools/emit/emit.h"
 
-#include "host/emit/cross.h"
 #include "host/spirv/glsl.h"
 #include "host/support/file.h"
 #include "tests/check/effect_files.h"
 #include "tests/support/variable.h"
+#include "tools/emit/cross.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "host/emit/flatten.h"
+#include "tools/emit/flatten.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // docs/samples/player/manifest.h: manifests as `check --emit` writes them, and texts that nobody should have written.
 #include "docs/samples/player/manifest.h"
-#include "host/emit/products.h"
 #include "tests/effect/player_calls.h"
+#include "tools/emit/products.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

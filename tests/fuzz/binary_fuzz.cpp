@@ -1,7 +1,7 @@
 // Any bytes are what Microsoft's compiler wrote: an effect with its shaders inside the bytes, or nothing.
 
-#include "host/direct3d/effect_binary.h"
-#include "host/direct3d/sm3.h"
+#include "tools/direct3d/effect_binary.h"
+#include "tools/direct3d/sm3.h"
 
 #include <cstdint>
 #include <cstdlib>

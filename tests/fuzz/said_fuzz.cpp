@@ -1,8 +1,8 @@
 // Any bytes are what Microsoft's compiler says: messages, a listing, a reflection. It runs in Wine, and may die in the middle of a word.
 
-#include "host/direct3d/microsoft_messages.h"
-#include "host/direct3d/microsoft_reflection.h"
-#include "host/direct3d/sm3.h"
+#include "tools/direct3d/microsoft_messages.h"
+#include "tools/direct3d/microsoft_reflection.h"
+#include "tools/direct3d/sm3.h"
 
 #include <nlohmann/json.hpp>
 

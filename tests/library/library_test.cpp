@@ -1,11 +1,11 @@
 // tegument.hlsl compiles for every target from a client of ten lines.
 
-#include "host/direct3d/microsoft.h"
-#include "host/emit/flatten.h"
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
 #include "tests/library/dxil.h"
 #include "tests/spirv/missing.h"
+#include "tools/direct3d/microsoft.h"
+#include "tools/emit/flatten.h"
 
 #include <gtest/gtest.h>
 

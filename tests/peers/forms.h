@@ -1,7 +1,7 @@
 #pragma once
 // The effects of effects/peers and the forms they come in.
 
-#include "host/check/check.h"
+#include "tools/check/check.h"
 
 #include <gtest/gtest.h>
 

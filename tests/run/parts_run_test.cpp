@@ -1,6 +1,7 @@
 // The annotation Part: which triangles of a mesh a pass draws.
 
 #include "host/run/parts.h"
+#include "meshprep/assets/generators.h"
 #include "tests/run/fixture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,7 +23,9 @@ protected:
         return mesh;
     }
     Result<RunResult> draw(const std::string& technique, const Mesh& mesh) {
-        return run("parts.fx", {.technique = technique, .width = 16, .height = 16, .compiler = defaultCompiler()}, &mesh, closeUp());
+        return run("parts.fx",
+                   {.technique = technique, .width = 16, .height = 16, .compiler = defaultCompiler(), .assets = assets::meshAssets()},
+                   &mesh, closeUp());
     }
     /// What the picture shows of both halves.
     std::pair<float, float> shown(const std::string& technique, const Mesh& mesh) {
@@ -64,13 +67,13 @@ TEST_F(Parts, that_touch_are_one_range) {
     const auto ranges = [&](const Mesh& mesh) {
         const auto found = run::partOf(*effect, both->passes[1], mesh);
         EXPECT_TRUE(succeeded(found));
-        return found ? *found : std::vector<run::IndexRange>{};
+        return found ? *found : std::vector<ListedRange>{};
     };
     Mesh mesh = halves("a", "strands");
-    EXPECT_EQ(ranges(mesh), (std::vector<run::IndexRange>{{.first = 3, .count = 6}}));
+    EXPECT_EQ(ranges(mesh), (std::vector<ListedRange>{{.first = 3, .count = 6}}));
     mesh.parts[0].name = mesh.parts[2].name = "strands";
     mesh.parts[1].name = "a";
-    EXPECT_EQ(ranges(mesh), (std::vector<run::IndexRange>{{.first = 0, .count = 3}, {.first = 6, .count = 3}}));
+    EXPECT_EQ(ranges(mesh), (std::vector<ListedRange>{{.first = 0, .count = 3}, {.first = 6, .count = 3}}));
     const auto result = draw("Strands", mesh);
     ASSERT_TRUE(succeeded(result));
     EXPECT_EQ(result->image.at(1, 1, 0), 2.0F) << "several ranges are one pass";
@@ -137,14 +140,6 @@ TEST(PartClusters, that_show_anything_are_never_left_out) {
     }
     EXPECT_GT(shown, 800);
     EXPECT_GT(hidden, 800) << "leaving nothing out would pass as well";
-}
-
-TEST(PartHorizon, is_where_a_strand_ends_that_grows_on_the_far_side_of_a_ball) {
-    for (const double length : {0.28, 0.5, 2.0}) {
-        const double cosine = run::horizonOf(length), sine = std::sqrt(1 - cosine * cosine);
-        EXPECT_NEAR((1 + 1.5 * length) * sine, 1, 1e-12) << "a strand half as long again ends at the ball's outline, seen from afar";
-    }
-    EXPECT_EQ(run::horizonOf(0.05), run::horizonOf(0.28)) << "ears and toes bend more";
 }
 
 TEST_F(Parts, of_which_nothing_can_be_seen_draw_nothing) {

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace tegument::test {
@@ -200,6 +201,24 @@ TEST_F(Textures, setting_an_unknown_texture_is_an_error_with_the_nearest_name) {
     const auto result = draw(pixel("Fallback", {{"gFallbackMop", "x.png"}}));
     ASSERT_EQ(code(result), 4010);
     EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gFallbackMap'?");
+}
+
+TEST_F(Textures, that_nothing_makes_from_the_mesh_are_warned_of_and_a_constant_stands_in) {
+    const Mesh mesh = square();
+    RunOptions options = row(1, "Made");
+    const auto bare = run("unmade.fx", options, &mesh);
+    ASSERT_TRUE(succeeded(bare));
+    ASSERT_EQ(std::ranges::count(bare->warnings, 4080, &Diagnostic::code), 1);
+    EXPECT_TRUE(pixelIs(bare->image, 0, 0, {0.25F, 0.5F, 0.75F, 1}));
+    const fs::path made = grey("made.exr", 0.125F);
+    options.assets.make = [&](const std::string& generator, const Mesh&) -> Result<fs::path> {
+        EXPECT_EQ(generator, "test map");
+        return made;
+    };
+    const auto served = run("unmade.fx", options, &mesh);
+    ASSERT_TRUE(succeeded(served));
+    EXPECT_EQ(std::ranges::count(served->warnings, 4080, &Diagnostic::code), 0);
+    EXPECT_TRUE(pixelIs(served->image, 0, 0, {0.125F, 0.125F, 0.125F, 1}));
 }
 
 } // namespace

@@ -153,6 +153,24 @@ def data_goes_down_from_folder_to_folder(root):
                     yield f"{path}:{number}: {line}"
 
 
+def the_host_serves_every_effect_alike(root):
+    """No name, annotation or text in host is of one family of effects: strands and their passes belong to meshprep/assets."""
+    words = r"\b\w*(?:[Ss]trand|[Rr]ibbon|[Uu]nderfur|[Ff]ur(?![tn])|[Hh]air)\w*"
+    for path in files(root / "host", {".cpp", ".h"}):
+        for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
+            for match in re.finditer(words, line):
+                yield f"{path}:{number}: {match[0]}"
+    known = set(re.findall(r'\{"(\w+)", k(?:Text|Number)', text_of(root / "host" / "effect" / "check.cpp")))
+    families = {}
+    for path in files(root / "effects", SOURCES):
+        for name in re.findall(r"\b(?:string|float\d?|int|bool) (\w+) =", text_of(path)):
+            families.setdefault(name, set()).add("strands" if re.search(r"fur|hair", path.name, re.I) else "others")
+    general = {"Part", "Viewport"}  # a submesh; the size that a compute pass is for
+    for name in sorted(known - general):
+        if families.get(name) == {"strands"}:
+            yield f"host/effect/check.cpp: the annotation {name} is of effects that draw strands alone"
+
+
 def some_libraries_are_known_to_one_room(root):
     """What stands behind a wrapper of ours, or serves one subcommand, is included there alone: other rooms build without it."""
     homes = {"embree3": "host/support/rays", "embree4": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "tools/cli", "webp": "tools/cli", "gif_lib": "tools/cli", "GLFW": "tools/view"}
@@ -424,6 +442,7 @@ CHECKS = {
         every_diagnostic_code_is_tested,
         rooms_include_each_other_without_a_cycle,
         data_goes_down_from_folder_to_folder,
+        the_host_serves_every_effect_alike,
         some_libraries_are_known_to_one_room,
         public_headers_are_meant_for_users,
         the_changelog_knows_the_version_that_is_built,

@@ -1,14 +1,14 @@
 // tegument check: does an effect compile for every target? No GPU is needed.
 
-#include "host/check/check.h"
-#include "host/check/resources.h"
-#include "host/emit/emit.h"
+#include "tools/check/check.h"
 #include "meshprep/assets/names.h"
+#include "tools/check/resources.h"
 #include "tools/cli/check_page.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
+#include "tools/emit/emit.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "tools/cli/check_page.h"
 
-#include "host/check/check.h"
+#include "tools/check/check.h"
 
 #include <fmt/format.h>
 

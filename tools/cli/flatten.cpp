@@ -1,6 +1,6 @@
 // tegument flatten: an effect and its includes, or the library of functions, as one file.
 
-#include "host/emit/flatten.h"
+#include "tools/emit/flatten.h"
 #include "host/support/file.h"
 #include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"

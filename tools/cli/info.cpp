@@ -2,13 +2,13 @@
 
 #include "host/effect/model.h"
 #include "host/effect/script_run.h"
-#include "host/emit/effect_json.h"
 #include "host/run/semantics.h"
 #include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
+#include "tools/emit/effect_json.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,14 +1,15 @@
 // tegument list: what there is to draw, and what is missing on this machine.
 
-#include "host/direct3d/microsoft.h"
 #include "host/effect/model.h"
 #include "host/scene/presets.h"
 #include "host/scene/workspace.h"
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
 #include "meshprep/assets/names.h"
+#include "meshprep/assets/scene.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/output.h"
+#include "tools/direct3d/microsoft.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -104,7 +105,7 @@ std::vector<fs::path> meshesOf(const Workspace& workspace) {
 WorkspaceRow workspaceRow(const fs::path& file) {
     WorkspaceRow row{.file = file, .shows = commentOf(file), .meshes = {}, .problem = {}, .remedy = {}};
     if (const auto named = loadWorkspace(file, {.requireMesh = false})) row.meshes = meshesOf(*named);
-    if (const auto loaded = loadWorkspace(file); !loaded) {
+    if (const auto loaded = loadWorkspace(file, assets::workspaceOptions()); !loaded) {
         constexpr std::string_view kMake = "make it: ";
         const Diagnostic& first = loaded.error().diagnostics.front();
         row.problem = first.text;

@@ -1,8 +1,8 @@
 // tegument survey: what of a folder of effects is read, compiles, draws, and what its pictures show.
 
-#include "host/check/check.h"
 #include "host/support/children.h"
 #include "host/support/system.h"
+#include "tools/check/check.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
 #include "tools/cli/job_options.h"

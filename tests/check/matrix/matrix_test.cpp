@@ -1,9 +1,9 @@
-#include "host/check/check.h"
-#include "host/check/resources.h"
-#include "host/emit/flatten.h"
 #include "host/support/file.h"
 #include "tests/check/describe.h"
 #include "tests/check/effect_files.h"
+#include "tools/check/check.h"
+#include "tools/check/resources.h"
+#include "tools/emit/flatten.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host/check/check.h"
+#include "tools/check/check.h"
 
 #include "host/support/file.h"
 #include "tests/check/describe.h"

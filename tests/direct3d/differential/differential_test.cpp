@@ -2,10 +2,10 @@
 // TEGUMENT_MUTANTS says how many (default 300), TEGUMENT_MUTANTS_FROM the first one's seed (default 0); TEGUMENT_MUTANTS_SHOW=1 prints each
 // about which the two do not agree.
 
-#include "host/direct3d/microsoft.h"
 #include "host/support/file.h"
 #include "host/support/temporary.h"
 #include "tests/effect/support.h"
+#include "tools/direct3d/microsoft.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host/direct3d/microsoft.h"
+#include "tools/direct3d/microsoft.h"
 
 #include "host/support/file.h"
 #include "tests/support/variable.h"

@@ -1,6 +1,6 @@
 // What Microsoft's compiler has made is kept: when it is found again, and when not.
 
-#include "host/direct3d/microsoft.h"
+#include "tools/direct3d/microsoft.h"
 
 #include "host/support/file.h"
 

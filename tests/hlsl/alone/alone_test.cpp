@@ -1,9 +1,9 @@
 // Every file of hlsl/ compiles alone: a client beside it includes it, and nothing else.
 
-#include "host/direct3d/microsoft.h"
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
 #include "tests/spirv/missing.h"
+#include "tools/direct3d/microsoft.h"
 
 #include <gtest/gtest.h>
 

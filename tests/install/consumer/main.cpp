@@ -1,6 +1,6 @@
 // A program outside the tree: checks an effect for SPIR-V and writes it as GLSL.
 
-#include "host/emit/emit.h"
+#include "tools/emit/emit.h"
 
 #include <cstdio>
 #include <filesystem>

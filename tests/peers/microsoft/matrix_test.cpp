@@ -1,7 +1,7 @@
 // effects/peers as Direct3D 9, 10 and 11, in every setting and in both forms.
 
-#include "host/check/check.h"
 #include "tests/peers/forms.h"
+#include "tools/check/check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "tools/cli/ends.h"
 
-#include "host/direct3d/windows/own_driver.h"
 #include "host/support/temporary.h"
 #include "tools/cli/output.h"
+#include "tools/direct3d/windows/own_driver.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,0 +1,169 @@
+#include "host/run/geometry.h"
+#include "host/run/prepare.h"
+#include "host/spirv/compile.h"
+#include "host/spirv/reflect.h"
+#include "tools/check/work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace tegument::check {
+
+namespace {
+
+Stage stageOf(ShaderKind kind) {
+    if (kind == ShaderKind::Vertex) return Stage::Vertex;
+    return kind == ShaderKind::Compute ? Stage::Compute : Stage::Pixel;
+}
+
+/// The member of an entry point that holds this compiler's shader.
+using Slot = std::optional<Shader> EntryPoint::*;
+
+void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) {
+    into.insert(into.end(), more.begin(), more.end());
+}
+
+/// What is drawn by this compiler: of another host's effect what host/adopt makes of it.
+const Effect& drawnBy(const Work& work, Compiler compiler) {
+    return compiler == Compiler::Dxc && work.drawn ? *work.drawn : work.effect();
+}
+
+run::Stages compileAll(const Effect& effect, Compiler compiler) {
+    std::vector<const Pass*> passes;
+    for (const Technique& technique : effect.techniques)
+        for (const Pass& pass : technique.passes)
+            if (!needsOtherStages(pass) && drawable(pass)) passes.push_back(&pass);
+    return run::compileStages(effect, run::stagesOf(passes), compiler);
+}
+
+void addErrors(const Error& error, const Pass* pass, Severity most, TargetCheck& report) {
+    for (Diagnostic diagnostic : error.diagnostics) {
+        if (diagnostic.at.line == 0 && pass != nullptr && pass->pixelShader) diagnostic.at = pass->pixelShader->at;
+        diagnostic.severity = std::min(diagnostic.severity, most);
+        report.diagnostics.push_back(std::move(diagnostic));
+    }
+}
+
+/// All that a frame of another host's effect needs, of the technique that is drawn; a plain mesh stands for the user's.
+void prepareFrame(const Effect& effect, Compiler compiler, const run::Programs& programs, TargetCheck& report) {
+    constexpr int kSide = 64;
+    const Mesh mesh = run::fullScreenQuad();
+    const Workspace workspace;
+    const RunOptions options{.width = kSide, .height = kSide, .compiler = compiler};
+    const run::RunInput input{.effect = effect, .mesh = &mesh, .workspace = workspace, .options = options, .compiled = &programs};
+    auto prepared = run::prepare(input);
+    if (!prepared) return addErrors(prepared.error(), nullptr, Severity::Error, report);
+    if (const auto textures = run::prepareTextures(input, *prepared); !textures)
+        addErrors(textures.error(), nullptr, Severity::Error, report);
+}
+
+/// Each pass as it would be drawn. Of another host's effect the technique that is drawn decides: errors of others are warnings.
+void makePasses(const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
+    const Technique* shown = effect.adopted ? effect.defaultTechnique() : nullptr;
+    run::Programs programs;
+    for (const Technique& technique : effect.techniques)
+        for (const Pass& pass : technique.passes) {
+            if (needsOtherStages(pass)) continue;
+            auto made = run::compilePass(effect, pass, compiler, stages);
+            if (made)
+                programs.emplace(&pass, std::make_shared<const run::PassProgram>(std::move(*made)));
+            else if (&technique != shown)
+                addErrors(made.error(), &pass, effect.adopted ? Severity::Warning : Severity::Error, report);
+        }
+    if (effect.adopted) prepareFrame(effect, compiler, programs, report);
+}
+
+/// `: POSITION` compiles to an ordinary varying without a word.
+void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
+    for (const StagePair& pair : work.pairs) {
+        const EntryPoint& vertex = work.report.entries[pair.vertex];
+        if (const auto& shader = vertex.*slot; shader && !spirv::writesPosition(shader->spirv)) addMissingPosition(vertex, report);
+    }
+}
+
+void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
+    if (std::string reason = obstacleFor(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
+    if (!compilerAvailable(compiler)) {
+        report.reason = noCompiler(compiler);
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const Effect& effect = drawnBy(work, compiler);
+    const run::Stages stages = compileAll(effect, compiler);
+    for (const auto& [key, shader] : stages)
+        if (shader) append(report.diagnostics, shader->warnings);
+    makePasses(effect, compiler, stages, report);
+    for (EntryPoint& entry : work.report.entries) {
+        if (entry.undrawn) continue;
+        ++report.entries;
+        const bool respelt = !entry.code.empty();
+        const run::StageKey key{.stage = stageOf(entry.kind), .entry = respelt ? entry.symbol : entry.name, .code = entry.code};
+        const auto known = stages.find(key);
+        if (known != stages.end() && known->second) entry.*slot = *known->second;
+        if (known != stages.end() || work.respelt) continue;
+        auto plain = run::compileStage(work.effect(), key, compiler); // as it is, to be written out: another source is drawn
+        if (plain) entry.*slot = std::move(*plain);
+    }
+    checkPositions(work, slot, report);
+    report.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void compareAll(const Work& work, TargetCheck& report) {
+    for (const EntryPoint& entry : work.report.entries) {
+        if (!entry.dxc || !entry.glslang || !entry.code.empty()) continue;
+        for (const std::string& difference : compareReflections(entry.dxc->reflection, entry.glslang->reflection))
+            addError(report, 3201, entry.at, fmt::format("DXC (first) and glslang (second) see {} differently: {}", entry.name, difference),
+                     "fill every 16 bytes of the parameters exactly (docs/design/compilers.md)");
+    }
+}
+
+} // namespace
+
+std::string noCompiler(Compiler compiler) {
+    return whyCompilerMissing(compiler) + (compiler == Compiler::Dxc ? " (./bootstrap build fetches it)" : "");
+}
+
+std::string obstacleFor(const Work& work, Compiler compiler) {
+    const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
+    if (geometry != work.report.entries.end() && std::ranges::all_of(work.report.entries, &EntryPoint::undrawn))
+        return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
+    if (work.report.entries.empty() || !work.respelt) return spellingObstacle(work);
+    if (compiler == Compiler::Dxc) return {};
+    const std::string reason = spellingObstacle(work);
+    return reason.empty() ? "shaders are compiled with arguments or for Direct3D 9: drawn by way of DXC" : reason;
+}
+
+void compileEach(Work& work, TargetCheck& report,
+                 const std::function<std::vector<Diagnostic>(EntryPoint& entry, const ShaderRequest& request)>& compile) {
+    for (EntryPoint& entry : work.report.entries) {
+        if (entry.undrawn) continue;
+        ++report.entries;
+        if (entry.obstacle) {
+            report.diagnostics.push_back(*entry.obstacle);
+            continue;
+        }
+        const bool respelt = !entry.code.empty();
+        if (work.respelt && !respelt && direct3D9Intrinsic(work.effect())) continue; // of a pass that another shader of it spoils
+        append(report.diagnostics, compile(entry, {.code = respelt ? entry.code : work.effect().code,
+                                                   .file = work.file.string(),
+                                                   .entry = respelt ? entry.symbol : entry.name,
+                                                   .stage = stageOf(entry.kind),
+                                                   .defines = {},
+                                                   .includeFolders = {},
+                                                   .language2018 = respelt}));
+    }
+}
+
+void checkSpirv(Work& work) {
+    TargetCheck* dxc = work.find(Target::SpirvDxc);
+    TargetCheck* glslang = work.find(Target::SpirvGlslang);
+    if (dxc != nullptr) checkTarget(work, Compiler::Dxc, &EntryPoint::dxc, *dxc);
+    if (glslang != nullptr) checkTarget(work, Compiler::Glslang, &EntryPoint::glslang, *glslang);
+    if (glslang != nullptr) compareAll(work, *glslang);
+    for (TargetCheck* report : {dxc, glslang})
+        if (report != nullptr && report->reason.empty()) conclude(*report); // one that was tried
+}
+
+} // namespace tegument::check

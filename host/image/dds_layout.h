@@ -17,6 +17,7 @@ inline constexpr std::size_t kWidth = 16;
 inline constexpr std::size_t kPitch = 20;
 inline constexpr std::size_t kDepth = 24;
 inline constexpr std::size_t kMipCount = 28;
+inline constexpr std::size_t kWriter = 68;          // of what is reserved: where other writers have their names
 inline constexpr std::size_t kPixelFormatSize = 76; // holds 32
 inline constexpr std::size_t kPixelFormatFlags = 80;
 inline constexpr std::size_t kFourCC = 84;
@@ -39,6 +40,7 @@ constexpr std::uint32_t fourCC(const char (&text)[5]) {
     return word;
 }
 inline constexpr std::uint32_t kMagicWord = fourCC("DDS ");
+inline constexpr std::uint32_t kOurWord = fourCC("TGMT");
 inline constexpr std::uint32_t kDx10Word = fourCC("DX10");
 
 // dwFlags: DDSD_CAPS | HEIGHT | WIDTH | PIXELFORMAT, and those that are not always there.

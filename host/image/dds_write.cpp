@@ -55,6 +55,7 @@ std::string headerOf(const DdsTexture& texture, DdsHeader kind) {
     header.put(dds::kHeight, static_cast<std::uint32_t>(first.height));
     header.put(dds::kWidth, static_cast<std::uint32_t>(first.width));
     header.put(dds::kPitch, static_cast<std::uint32_t>(first.width * format.channels * format.bytesPerChannel));
+    header.put(dds::kWriter, dds::kOurWord);
     header.put(dds::kMipCount, static_cast<std::uint32_t>(texture.mips));
     putPixelFormat(header, format, kind);
     const bool several = texture.mips > 1 || texture.isCube();

@@ -5,6 +5,7 @@
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/triangles.h"
 #include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -144,6 +145,7 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
                   .roots = rootsOf(path, {}, options.roots)};
     Result<ReadMesh> file = format->read(source);
     if (!file) return file;
+    if (const auto kept = inputsAreKept(); !kept) return kept.error();
     std::optional<Diagnostic> guessed;
     if (options.guessUnit && !options.unitMm) guessed = takeLikelyUnit(*format, source, file);
     if (!file) return file;

@@ -60,7 +60,8 @@ std::string ofMeshes(std::span<const ObjectRun> objects, const Value& value) {
 std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects, const gpu::DeviceInfo& device) {
     const RunInput& input = objects.front().input;
     const Prepared& prepared = objects.front().prepared;
-    std::map<std::string, std::string> entries{{"effect", input.effect.file.filename().string()},
+    std::map<std::string, std::string> entries{{"Software", "Tegument"},
+                                               {"effect", input.effect.file.filename().string()},
                                                {"technique", prepared.plan.technique->name},
                                                {"compiler", compilerName(input.options.compiler)},
                                                {"device", device.name},

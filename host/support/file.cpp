@@ -1,5 +1,6 @@
 #include "host/support/file.h"
 
+#include "host/support/kept_inputs.h"
 #include "host/support/system.h"
 #include "host/support/text.h"
 #include "host/support/whole_file.h"
@@ -40,6 +41,7 @@ Error unreadable(const fs::path& path, int failed) {
 Result<std::string> readFile(const fs::path& path) {
     std::error_code code;
     if (fs::is_directory(path, code)) return inputError(5001, {.file = path.string(), .byte = {}}, "is a folder, not a file");
+    if (const auto noted = kept::noteRead(path); !noted) return noted.error();
     const auto size = fs::file_size(path, code); // unknown for a pipe, and 0 under /proc: the rest is read piece by piece
     std::string bytes;
     try {
@@ -116,6 +118,7 @@ Error unwritable(const fs::path& path, const std::string& why) {
 Result<void> canWrite(const fs::path& path) {
     std::error_code code;
     if (fs::is_directory(path, code)) return unwritable(path, "it is a folder");
+    if (const auto may = kept::mayWrite(path); !may) return may.error();
     fs::path folder = path.parent_path();
     while (!folder.empty() && !fs::exists(folder, code))
         folder = folder == folder.parent_path() ? fs::path() : folder.parent_path();
@@ -126,6 +129,11 @@ Result<void> canWrite(const fs::path& path) {
 }
 
 Result<void> writeFile(const fs::path& path, std::string_view bytes) {
+    if (auto may = kept::mayWrite(path); !may) return may;
+    return rewriteFile(path, bytes);
+}
+
+Result<void> rewriteFile(const fs::path& path, std::string_view bytes) {
     std::error_code code;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), code);
     if (code) return unwritable(path, code.message());
@@ -133,6 +141,7 @@ Result<void> writeFile(const fs::path& path, std::string_view bytes) {
     fs::path target = path;
     if (fs::is_symlink(path, code) && fs::exists(path, code)) target = fs::canonical(path, code); // a link stays one
     if (const int failed = writeWhole(target, bytes); failed != 0) return unwritable(path, std::strerror(failed));
+    kept::noteWritten(path);
     return {};
 }
 

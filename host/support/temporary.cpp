@@ -1,6 +1,7 @@
 #include "host/support/temporary.h"
 
 #include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 
 #include <mutex>
 #include <set>
@@ -54,11 +55,11 @@ Borrowed::~Borrowed() {
 
 Result<void> Borrowed::change(std::string_view bytes) const {
     const std::scoped_lock lock(known().mutex);
-    return writeFile(path_, bytes);
+    return rewriteFile(path_, bytes);
 }
 
 void Borrowed::putBack() const {
-    if (const auto now = readFile(path_); !now || *now != content_) (void)writeFile(path_, content_); // nobody is there to hear of it
+    if (const auto now = readFile(path_); !now || *now != content_) (void)rewriteFile(path_, content_); // nobody is there to hear of it
 }
 
 void removeTemporaries() {

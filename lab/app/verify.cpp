@@ -95,7 +95,7 @@ int verify(VerifyArguments arguments) {
     if (arguments.report.html.empty()) arguments.report.html = (folder / "index.html").string();
     const auto earlier = earlierRun(arguments.report, verifyFigures);
     if (!earlier) return fail(earlier.error(), arguments.json);
-    if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
+    if (const auto can = checkOutput((folder / "verify.json").string(), {}); !can) return fail(can.error(), arguments.json);
     auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
     if (!device) return fail(device.error(), arguments.json);
     const auto modules = verifyAll(arguments, *device, *options);

@@ -3,6 +3,7 @@
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"
 #include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 #include "meshprep/human/bake.h"
 #include "meshprep/human/brows.h"
 #include "meshprep/human/bust.h"
@@ -184,7 +185,7 @@ private:
             if (const Result<void> written = writePng(*paths[i], head.mesh.textures[i].image, PngEncoding::Raw); !written)
                 return written.error();
         if (const Result<void> written = writeGlb(report_.mesh, head.mesh); !written) return written.error();
-        if (const Result<void> written = writeFile(keyFile(), *key); !written) return written.error();
+        if (const Result<void> written = rewriteFile(keyFile(), *key); !written) return written.error();
         return std::nullopt;
     }
 

@@ -110,8 +110,8 @@ TEST(CommandLine, a_mesh_is_not_prepared_over_itself) {
     const std::string mesh = write("only.obj", "v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n");
     const std::string glb = out("only.glb");
     ASSERT_EQ(tegument({"prep", mesh, "-o", glb}).code, 0);
-    expectSaid(tegument({"prep", glb, "--orient", "-o", glb}), kUsage, {"TG8042", "is the mesh itself"});
-    expectSaid(tegument({"prep", glb, "--dry-run", "--report", glb}), kUsage, {"TG8042", "is the mesh itself"});
+    expectSaid(tegument({"prep", glb, "--orient", "-o", glb}), kUsage, {"TG5004", "only.glb is read by this command"});
+    expectSaid(tegument({"prep", glb, "--dry-run", "--report", glb}), kUsage, {"TG5004", "only.glb is read by this command"});
 }
 
 TEST(CommandLine, names_that_do_not_exist_come_with_the_nearest_one) {

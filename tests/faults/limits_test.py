@@ -154,7 +154,7 @@ class Limits(Faults):
         self.assertLess(peak, 700 * MIB)
         self.refused(self.run_it("info", "Main", "--max-memory", "much"), "TG8005", code=2)
 
-    def test_records_of_commands_that_print_any_json_are_merged(self):
+    def test_records_of_commands_that_print_any_json_are_a_table(self):
         odd = ({"code": 1, "severity": 5, "file": [], "line": {}, "text": {}}, {"code": "TG1", "text": 7}, {"severity": "error", "code": None, "text": None})
         results = self.folder / "results/records"
         results.mkdir(parents=True)
@@ -163,7 +163,7 @@ class Limits(Faults):
             (results / f"{number}.json").write_text(json.dumps(record), encoding="ascii")
         nested = json.dumps(dict(seeds.RECORD, input="nested", exit_code=1, messages="", result=0)).replace('"result": 0', '"result": ' + "[" * 50_000 + "]" * 50_000)
         (results / "nested.json").write_text(nested, encoding="ascii")
-        ran = self.run_it("merge", results.parent)
+        ran = self.run_it("batch", "--results", results.parent, "--column", "/code/0")
         self.assertIn(ran.returncode, (0, 1), ran.stderr)
         self.assertNotIn("unexpected failure", ran.stderr)
 

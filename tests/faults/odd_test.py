@@ -370,7 +370,7 @@ class OddPlaces(Faults):
         same = self.folder / "same.ply"
         self.good("prep", self.ball, "-o", same)
         before = same.read_bytes()
-        self.refused(self.run_it("prep", same, "-o", same), "TG8042", code=2)
+        self.refused(self.run_it("prep", same, "-o", same), "TG5004", code=2)
         self.assertEqual(same.read_bytes(), before, "what preparation would leave out is there still")
 
 

@@ -1,7 +1,7 @@
 // Any bytes are the record of a batch, or one error; what is read is written to a line that reads as the same.
 
 #include "tests/scene/fuzz/fuzz_mesh.h"
-#include "tools/batch/record.h"
+#include "tools/batch/batch.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const std::string kPath = "/tmp/tegument-record-fuzz-" + std::to_string(::getpid()) + ".json";
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     (void)tegument::batch::stateOf(*record);
-    (void)tegument::batch::valueAt(*record, "/faces/0");
+    (void)tegument::batch::tableOf({*record}, {"/faces/0"});
     const std::string line = tegument::batch::lineOf(*record);
     tegument::fuzz::writeAnew(kPath, reinterpret_cast<const std::uint8_t*>(line.data()), line.size());
     const auto again = tegument::batch::readRecord(kPath);

@@ -25,8 +25,8 @@ SAID = ["Z:\\tmp\\a.fx(3,7-9): error X3000: syntax error: unexpected token 'x'\n
                     "inputs": [{"semantic": "TEXCOORD", "index": 1, "system": 0, "register": 1, "mask": 3, "read": 3, "type": 3}],
                     "outputs": [{"semantic": "SV_Target", "index": 0, "system": 64, "register": 0, "mask": 15, "read": 0, "type": 3}],
                     "threads": [8, 8, 1]})]
-RECORD = {"input": "a.obj", "command": ["prep", "a.obj"], "identity": "0", "exit_code": 0, "out_of_time": False, "seconds": 1.5,
-          "processor_seconds": 1.25, "peak_bytes": 1000000, "result": "wrote a.glb", "messages": "", "host": "n1", "ended": "2026-11-22T18:30:00Z"}
+RECORD = {"input": "a.obj", "command": ["prep", "a.obj"], "program": "0", "read": {"a.obj": {"bytes": 5, "hash": "0"}}, "written": {}, "exit_code": 0,
+          "out_of_time": False, "seconds": 1.5, "peak_bytes": 1000000, "result": "wrote a.glb", "messages": ""}
 PASSES = [{"name": "A", "annotations": {"Script": "Draw=Buffer;"}}, {"name": "B", "annotations": {}}]
 MANIFEST = {"format": "tegument-effect 1", "parameters": [{"name": "gN", "type": "int", "default": 2}, {"name": "gRed", "type": "float4", "default": [1, 0, 0, 1]},
                                                           {"name": "gFast", "type": "bool", "default": True}],

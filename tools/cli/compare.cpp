@@ -63,6 +63,7 @@ Result<Difference> compareFiles(const CompareArguments& arguments) {
     auto difference = compareImages(*image, *reference, arguments.limit);
     if (!difference || arguments.output.empty()) return difference;
     Image picture = differenceImage(*image, *reference);
+    picture.metadata["Software"] = "Tegument";
     for (float& value : picture.pixels)
         value *= static_cast<float>(arguments.gain);
     if (const auto written = writePng(arguments.output, picture, PngEncoding::Raw); !written) return written.error();

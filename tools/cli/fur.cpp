@@ -124,7 +124,7 @@ std::vector<std::string> filesIn(const fs::path& folder) {
 }
 
 void describe(Image& image, const TextureArguments& arguments) {
-    image.metadata["Software"] = fmt::format("tegument {}", TEGUMENT_VERSION);
+    image.metadata["Software"] = fmt::format("Tegument {}", TEGUMENT_VERSION);
     image.metadata["tegument:seed"] = fmt::format("{}", arguments.fur.seed);
     image.metadata["tegument:density"] = fmt::format("{}", arguments.fur.density);
     image.metadata["tegument:spacing"] = fmt::format("{}", arguments.fur.spacing);

@@ -140,8 +140,13 @@ void printSummary(const BuiltRoots& built, const RootArguments& arguments) {
                built.readSeconds, buildSeconds(built), s.surface, s.scatter, s.limits, s.strands, texture.seconds);
 }
 
+fs::path besideOf(const RootArguments& arguments) {
+    return fs::path(arguments.output).replace_extension(".json");
+}
+
 Result<void> checkFiles(const RootArguments& arguments) {
     if (const auto can = checkOutput(arguments.output, {".dds"}, "--picture draws the strands as PNG"); !can) return can.error();
+    if (const auto can = checkOutput(besideOf(arguments).string(), {}); !can) return can.error();
     if (const auto can = checkOutput(arguments.picture, {".png"}); !can) return can.error();
     return checkRootInputs(arguments);
 }
@@ -153,13 +158,14 @@ int run(RootArguments& arguments) {
     progress.clear();
     if (!built) return fail(built.error(), arguments.json);
     const Json json = toJson(*built, arguments);
-    const fs::path beside = fs::path(arguments.output).replace_extension(".json");
+    const fs::path beside = besideOf(arguments);
     const DdsTexture dds{.format = DdsFormat::Rgba32F, .images = {built->texture.image}};
     if (const auto written = writeDds(arguments.output, dds); !written) return fail(written.error(), arguments.json);
     if (const auto written = writeFile(beside, json.dump(2) + "\n"); !written) return fail(written.error(), arguments.json);
     if (!arguments.picture.empty()) {
         constexpr int kSide = 640;
-        const Image picture = drawRoots(built->mesh, built->set, arguments.roots.furLength, kSide);
+        Image picture = drawRoots(built->mesh, built->set, arguments.roots.furLength, kSide);
+        picture.metadata["Software"] = "Tegument";
         if (const auto written = writePng(arguments.picture, picture, PngEncoding::Srgb); !written)
             return fail(written.error(), arguments.json);
     }

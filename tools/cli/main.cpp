@@ -1,5 +1,6 @@
 // tegument: check, look into and render effect files; prepare meshes for them.
 
+#include "host/support/kept_inputs.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/ends.h"
 #include "tools/cli/max_memory.h"
@@ -57,8 +58,6 @@ int run(int argc, char** argv) {
     tegument::app::addCompare(program, action);
     tegument::app::addView(program, action);
     tegument::app::addBatch(program, action);
-    tegument::app::addMerge(program, action);
-    tegument::app::addSubmit(program, action);
     program.footer(kStart); // after the others: a command inherits what its parent has
     tegument::app::addLab(program, action);
     program.footer(program.get_footer() + kExitCodes);
@@ -94,6 +93,7 @@ int afterThrow(const std::exception& error) {
 
 int main(int argc, char** argv) {
     tegument::app::begin();
+    const tegument::KeptInputs inputs;
     try {
         return tegument::app::ended(run(argc, argv));
     } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include "tools/cli/output.h"
 
 #include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 namespace tegument::app {
 
@@ -49,16 +51,45 @@ void warn(const std::vector<Diagnostic>& warnings) {
         say(format(warning));
 }
 
+namespace {
+
+/// Whether the program has written this picture or mesh: each says so near its beginning.
+bool isOurs(const std::filesystem::path& path) {
+    constexpr std::size_t kBeginning = std::size_t{1} << 20;
+    std::string bytes(kBeginning, '\0');
+    std::ifstream in(path, std::ios::binary); // not as an input
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes.find("egument") != std::string::npos || bytes.substr(0, 128).find("TGMT") != std::string::npos;
+}
+
+/// For kinds of files that carry a mark.
+void warnOfForeign(const std::filesystem::path& path) {
+    constexpr std::array<std::string_view, 7> kMarked = {".png", ".jpg", ".jpeg", ".exr", ".dds", ".glb", ".ply"};
+    std::error_code code;
+    if (std::ranges::find(kMarked, toLower(path.extension().string())) == kMarked.end() || !std::filesystem::is_regular_file(path, code) ||
+        isOurs(path))
+        return;
+    Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028, .at = {}, .text = {}, .hint = {}};
+    diagnostic.text = fmt::format("{} was not written by Tegument, and is replaced", path.string());
+    diagnostic.hint = "the next release will refuse that without --force";
+    warn({diagnostic});
+}
+
+} // namespace
+
 Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint) {
     if (path.empty()) return {};
     const std::string ending = toLower(std::filesystem::path(path).extension().string());
     if (!endings.empty() && std::ranges::find(endings, ending) == endings.end())
         return usageError(8024, fmt::format("cannot write {}: its name must end in {}", path, fmt::join(endings, " or ")), hint);
-    return canWrite(path);
+    auto can = willWrite(path);
+    if (can) warnOfForeign(path);
+    return can;
 }
 
 Result<void> checkFolder(const std::string& folder) {
-    return canWrite(std::filesystem::path(folder) / "x");
+    return canWrite(std::filesystem::path(folder) / ".tegument");
 }
 
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {

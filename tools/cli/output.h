@@ -28,8 +28,8 @@ void say(const std::string& line);
 int fail(const Error& error, bool json);
 void warn(const std::vector<Diagnostic>& warnings);
 
-/// TG8024 when the path's ending is none of these (".png", ...), TG5002 when nothing can be written there: asked before the work. An empty
-/// path is one that nobody asked for.
+/// TG8024 when the path's ending is none of these (".png", ...), TG5002 when nothing can be written there, TG5004 when it is read: asked
+/// before the work. Warns of a picture or mesh that the program has not written (TG8028). An empty path is none.
 [[nodiscard]] Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint = {});
 /// TG5002 when files cannot be written into this folder.
 [[nodiscard]] Result<void> checkFolder(const std::string& folder);

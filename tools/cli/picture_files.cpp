@@ -1,11 +1,11 @@
 #include "tools/cli/picture_files.h"
 
 #include "host/image/dds.h"
-#include "host/support/file.h"
 #include "host/support/text.h"
 #include "meshprep/assets/picture.h"
 #include "tools/cli/animation.h"
 #include "tools/cli/command_line.h"
+#include "tools/cli/output.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +61,7 @@ Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effec
     const std::string extension = toLower(output.extension().string());
     const bool still = assets::isDisplayed(output) || extension == ".exr" || extension == ".dds";
     if (still || (moving && isAnimation(output))) {
-        if (const auto can = canWrite(output); !can) return can.error();
+        if (const auto can = checkOutput(output.string(), {}); !can) return can.error();
         return output;
     }
     if (isAnimation(output))

@@ -24,7 +24,9 @@ struct LinkArguments {
 };
 
 int prepLinks(LinkArguments& arguments) {
-    if (const auto can = checkOutput(arguments.output, {".dds"}); !can) return fail(can.error(), arguments.json);
+    const fs::path beside = fs::path(arguments.output).replace_extension(".json");
+    for (const auto& can : {checkOutput(arguments.output, {".dds"}), checkOutput(beside.string(), {})})
+        if (!can) return fail(can.error(), arguments.json);
     Progress progress;
     progress.say("reading the mesh");
     const auto mesh = loadMesh(arguments.input, arguments.mesh);
@@ -35,7 +37,6 @@ int prepLinks(LinkArguments& arguments) {
     if (!links) return fail(links.error(), arguments.json);
     if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, *links, arguments.links); !written)
         return fail(written.error(), arguments.json);
-    const fs::path beside = fs::path(arguments.output).replace_extension(".json");
     if (arguments.json) {
         print({{"files", {arguments.output, beside.string()}}, {"links", links->links}, {"lists", links->lists}});
         return 0;

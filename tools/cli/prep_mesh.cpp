@@ -75,25 +75,16 @@ Result<void> inputExists(const Arguments& arguments) {
     return assets::fileExists(arguments.input, "the mesh", {"human", "shape", "bunny"});
 }
 
-Result<void> isNotTheMesh(const std::string& mesh, const std::string& written) {
-    std::error_code code;
-    if (!std::filesystem::equivalent(mesh, written, code)) return {};
-    return usageError(8042, fmt::format("'{}' is the mesh itself: what is written would replace it", written),
-                      "name another file: this one alone has all that the mesh holds");
-}
-
 Result<void> checkFiles(const Arguments& arguments) {
     if (arguments.input.empty()) return usageError(8041, "which mesh?", "tegument prep IN -o OUT.glb, or tegument prep human");
     if (endingOf(arguments.input).empty()) // rather a misspelt command than a mesh
         if (const auto exists = inputExists(arguments); !exists) return exists.error();
     if (const auto can = checkOutput(arguments.report, {}); !can) return can.error();
-    if (const auto other = isNotTheMesh(arguments.input, arguments.report); !other) return other;
     if (arguments.dryRun) return {};
     if (arguments.output.empty()) return usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run");
     if (const std::string ending = endingOf(arguments.output); ending != ".glb" && ending != ".ply")
         return usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply");
-    if (const auto other = isNotTheMesh(arguments.input, arguments.output); !other) return other;
-    return canWrite(arguments.output);
+    return checkOutput(arguments.output, {});
 }
 
 /// What a PLY file has no place for.

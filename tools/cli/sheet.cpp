@@ -111,6 +111,7 @@ std::map<std::string, std::string> metadataOf(const std::vector<Image>& images) 
     std::map<std::string, std::string> metadata;
     for (const auto& [key, all] : values)
         metadata[key] = fmt::format("{}", fmt::join(all, "; "));
+    metadata["Software"] = "Tegument";
     return metadata;
 }
 
@@ -151,7 +152,7 @@ bool isJpeg(const std::string& path) {
 Result<void> checkFiles(const SheetArguments& arguments) {
     if (!isJpeg(arguments.output) && toLower(std::filesystem::path(arguments.output).extension().string()) != ".png")
         return usageError(8032, fmt::format("{} is neither a .png nor a .jpg", arguments.output), "PNG is exact, JPEG is smaller");
-    if (const auto can = canWrite(arguments.output); !can) return can.error();
+    if (const auto can = checkOutput(arguments.output, {}); !can) return can.error();
     for (const std::string& picture : arguments.pictures)
         if (const auto exists = assets::fileExists(picture, "the picture"); !exists) return exists.error();
     return {};

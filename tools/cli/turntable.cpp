@@ -21,11 +21,6 @@ constexpr double kTurn = 6.28318530717958647692;
 constexpr int kTurnTakes = 4000; // milliseconds of an animation
 constexpr int kShortest = 20;    // milliseconds: browsers slow down what is shorter
 
-fs::path numbered(const fs::path& output, int number) {
-    fs::path path = output;
-    return path.replace_filename(fmt::format("{}-{:03}{}", output.stem().string(), number, output.extension().string()));
-}
-
 /// Takes the pictures one after another, so that not all of them are held at once.
 class Sink {
 public:
@@ -58,6 +53,11 @@ private:
 };
 
 } // namespace
+
+fs::path numbered(const fs::path& output, int number) {
+    fs::path path = output;
+    return path.replace_filename(fmt::format("{}-{:03}{}", output.stem().string(), number, output.extension().string()));
+}
 
 Result<Turntable> renderTurntable(gpu::Device& device, const Job& job, const PictureOptions& options, const fs::path& output, int pictures,
                                   const std::function<void(int done)>& say) {

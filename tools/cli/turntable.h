@@ -15,6 +15,9 @@ struct Turntable {
     SessionFrame first; // of the pictures; its times are those of one
 };
 
+/// The file of a picture, counted from 1.
+[[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& output, int number);
+
 /// `pictures` of them, the first as it stands: one animation, or a file for each, numbered from 001. Camera and light stay where they are
 /// for the viewer. `say` hears how many are done.
 [[nodiscard]] Result<Turntable> renderTurntable(gpu::Device& device, const Job& job, const PictureOptions& options,

@@ -2,6 +2,7 @@
 
 #include "host/spirv/glsl.h"
 #include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 #include "host/support/system.h"
 #include "host/support/temporary.h"
 #include "tools/emit/products.h"
@@ -142,6 +143,7 @@ Result<void> addKind(Products& products, const FileReport& report, EmitKind kind
 Result<void> mayReplace(const fs::path& folder) {
     std::error_code code;
     if (!fs::exists(folder, code) || fs::is_empty(folder, code)) return {};
+    if (auto free = holdsNoInput(folder); !free) return free;
     const auto text = readFile(folder / "manifest.json");
     if (text && emit::isManifest(*text)) return {};
     return usageError(3304, fmt::format("{} holds something else and is left alone", folder.string()), "name another folder with --emit");
@@ -203,6 +205,9 @@ Result<fs::path> emitEffect(const FileReport& report, const EmitOptions& options
     auto written = writeAll(temporary.path(), products, emit::manifest(report, options, products));
     if (written) written = replace(folder, temporary.path());
     if (!written) return written.error();
+    for (const auto& [name, bytes] : products.files)
+        kept::noteWritten(folder / name);
+    kept::noteWritten(folder / "manifest.json");
     return folder;
 }
 

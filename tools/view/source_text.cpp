@@ -1,6 +1,7 @@
 #include "tools/view/source_text.h"
 
 #include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 
 #include <algorithm>
 
@@ -40,7 +41,7 @@ void refreshSource(SourceText& source) {
 }
 
 void writeSource(SourceText& source) {
-    const auto written = writeFile(source.file, source.text);
+    const auto written = rewriteFile(source.file, source.text);
     source.problem = written ? std::string() : format(written.error());
     if (written) source.saved = source.text;
 }

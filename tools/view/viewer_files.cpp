@@ -5,7 +5,7 @@
 #include "host/run/read_back.h"
 #include "host/run/scene_bounds.h"
 #include "host/scene/workspace_write.h"
-#include "host/support/file.h"
+#include "host/support/kept_inputs.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +61,7 @@ std::optional<fs::path> Viewer::saveWorkspace() {
     if (known) return workspaceFile_;
     const fs::path path = freePath(request_.pictures, request_.effect, ".json");
     std::string text = workspaceJson(workspace, path);
-    if (const auto written = writeFile(path, text); !written) {
+    if (const auto written = rewriteFile(path, text); !written) {
         notice(format(written.error()));
         return std::nullopt;
     }

@@ -55,6 +55,10 @@ Result<RunResult> runSession(gpu::Device& device, const Effect& effect, SessionS
     const auto dump = targetsToDump(effect, *frame, options.dump);
     if (!dump) return dump.error();
     RunResult result{.technique = frame->technique, .warnings = std::move(frame->warnings)};
+    result.parameters = std::move(frame->parameters);
+    for (const SessionTexture& texture : frame->textures)
+        result.textures.push_back(texture.name);
+    result.produced = !frame->produced.empty();
     result.passes = passReports(*frame);
     result.deviceBytes = device.allocatedBytes();
     reportTargets(session, result);

@@ -37,6 +37,9 @@ struct RunResult {
     std::uint64_t bytes = 0;           // of all targets
     std::uint64_t deviceBytes = 0;     // of everything on the device: targets, textures, meshes
     std::string technique;
+    std::vector<std::string> parameters; // of the effect, numeric, that make a difference; sorted
+    std::vector<std::string> textures;   // of the effect, sampled and not drawn
+    bool produced = false;               // another effect has drawn a texture, with textures of its own
     std::vector<Diagnostic> warnings;
 };
 

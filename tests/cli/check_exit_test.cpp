@@ -101,5 +101,17 @@ TEST(CheckExit, json_says_what_the_exit_code_says) {
     }
 }
 
+TEST(CheckExit, of_a_folder_with_an_include_named_like_an_effect_is_that_of_the_effects) {
+    const std::string part = write("included/part.fx", "float4 grey() { return 0.5; }\n");
+    const std::string whole =
+        write("included/whole.fx", "#include \"part.fx\"\nfloat4 VS(float4 p : POSITION) : SV_Position { return p; }\n"
+                                   "float4 PS() : SV_Target0 { return grey(); }\ntechnique10 T { pass P { "
+                                   "SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, PS())); } }\n");
+    const Ran both = tegument({"check", part, whole, "--target", "spirv-glslang"});
+    EXPECT_EQ(both.code, 0) << both.err;
+    EXPECT_NE(both.out.find("1 passed, 0 failed, 0 not applicable"), std::string::npos) << both.out;
+    EXPECT_EQ(tegument({"check", part, "--target", "spirv-glslang"}).code, kMachine) << "by itself nothing of it can be checked";
+}
+
 } // namespace
 } // namespace tegument::test

@@ -226,6 +226,41 @@ TEST(Look, the_list_names_what_there_is_and_the_command_that_brings_what_is_not)
     std::istringstream lines(text.out);
     for (std::string line; std::getline(lines, line);)
         EXPECT_LE(line.size(), 100U) << line;
+    auto without = bare;
+    without["TEGUMENT_DATA"] = "";
+    EXPECT_EQ(tegument::test::tegument({"list"}, without).out.find("lps_head"), std::string::npos) << "no command brings it";
+}
+
+TEST(Look, a_value_that_the_technique_does_not_read_is_warned_of) {
+    const std::string effect =
+        write("unread.fx", "float4 gBoth = 1; float4 gOne = 1; float4 gNone = 1; float gLoops = 1; Texture2D gMap;\n"
+                           "float4 half2() { return gOne; }\n"
+                           "float4 VS(float4 p : POSITION) : SV_Position { return p; }\n"
+                           "float4 A() : SV_Target0 { return gBoth; }\n"
+                           "float4 B() : SV_Target0 { return gBoth + half2(); }\n"
+                           "float4 C() : SV_Target0 { return gBoth + gMap.Load(int3(0, 0, 0)); }\n"
+                           "#define T(N) technique10 N { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); "
+                           "SetPixelShader(CompileShader(ps_4_0, N())); } }\nT(A) T(B) T(C)\n"
+                           "technique10 D < string Script = \"LoopByCount=gLoops; Pass=P; LoopEnd;\"; > { pass P { "
+                           "SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, A())); } }\n");
+    const std::string map = write("unread.ppm", "no picture");
+    const auto said = [&](const std::string& technique, const std::string& set) {
+        const Ran ran = tegument::test::tegument(
+            {"render", effect, "-t", technique, "-m", ballMesh(), "--size", "16", "--set", set, "-o", out("unread.png")});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return ran.err;
+    };
+    EXPECT_NE(said("A", "gOne=0,0,0,0").find("warning TG8029: --set gOne=0,0,0,0 changes nothing: A does not read gOne; these do: -t B\n"),
+              std::string::npos);
+    EXPECT_NE(said("B", "gNone=0,0,0,0").find("B does not read gNone; no technique of unread.fx does"), std::string::npos);
+    EXPECT_NE(said("A", "gMap=" + map).find("A does not read gMap; these do: -t C\n"), std::string::npos);
+    EXPECT_NE(said("A", "gLoops=2").find("A does not read gLoops; these do: -t D\n"), std::string::npos);
+    for (const auto& [technique, set] : {std::pair{"A", "gBoth=0,0,0,0"}, {"B", "gOne=0,0,0,0"}, {"D", "gLoops=2"}})
+        EXPECT_EQ(said(technique, set).find("TG8029"), std::string::npos) << technique << " " << set;
+    const Ran pyramid = tegument::test::tegument({"render", "Pyramid", "-t", "Pyramid", "-m", ballMesh(), "--size", "16", "--map-size",
+                                                  "64", "--set", "gTransmission=0.5", "--set", "gRoughness=0.2", "-o", out("unread.png")});
+    EXPECT_NE(pyramid.err.find("Pyramid does not read gTransmission"), std::string::npos) << pyramid.err;
+    EXPECT_EQ(pyramid.err.find("gRoughness"), std::string::npos) << pyramid.err;
 }
 
 TEST(Look, a_value_beyond_its_range_is_blamed_on_where_it_was_given) {

@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <sys/wait.h>
 
 namespace tegument::test {
 namespace {
@@ -53,7 +54,11 @@ TEST(Survey, has_an_example_for_continuous_integration_that_runs) {
     EXPECT_EQ(std::system((run + "tests/adopt/effects >/dev/null 2>&1").c_str()), 0);
     fs::create_directories(scratch() / "ci");
     const std::string bad = write("ci/bad.fx", "technique T { pass P { NoSuchState = 1; } }");
-    EXPECT_NE(std::system((run + bad.substr(0, bad.rfind('/')) + " >/dev/null 2>&1").c_str()), 0);
+    const auto codeOf = [](const std::string& line) { return WEXITSTATUS(std::system((line + " >/dev/null 2>&1").c_str())); };
+    EXPECT_EQ(codeOf(run + bad.substr(0, bad.rfind('/'))), 1);
+    EXPECT_EQ(codeOf("TEGUMENT=" + write("ci/lacks.sh", "#!/bin/sh\nexit 3\n") +
+                     " && chmod +x $TEGUMENT && export TEGUMENT && sh docs/samples/ci/check-effects.sh tests/adopt/effects"),
+              3);
 }
 
 std::string flat(const std::string& name, const std::string& colour) {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace tegument::app {
 
@@ -240,6 +241,18 @@ Result<std::vector<std::filesystem::path>> filesOf(const CheckArguments& argumen
     return files;
 }
 
+/// A file without a technique that another one includes is checked there.
+void dropIncludes(CheckReport& report) {
+    std::set<std::filesystem::path> included;
+    std::error_code code;
+    for (const FileReport& file : report.files)
+        for (std::size_t i = 0; !file.effect.techniques.empty() && i < file.effect.includes.size(); ++i)
+            included.insert(std::filesystem::weakly_canonical(file.effect.includes[i], code));
+    std::erase_if(report.files, [&](const FileReport& file) {
+        return !file.failed() && file.effect.techniques.empty() && included.contains(std::filesystem::weakly_canonical(file.file, code));
+    });
+}
+
 Json runJson(const CheckReport& report, const CheckArguments& arguments, const std::vector<std::string>& emitted) {
     Json json{{"passed", exitCode(report, arguments.skipMissing) == 0},
               {"failed", report.failed()},
@@ -276,7 +289,8 @@ int check(const CheckArguments& arguments) {
     Progress progress;
     progress.say(fmt::format("checking {} files", files->size()));
     const CheckOptions options = checkOptions(arguments);
-    const CheckReport report = checkEffects(*files, *targets, options);
+    CheckReport report = checkEffects(*files, *targets, options);
+    dropIncludes(report);
     const Result<std::vector<std::string>> emitted = arguments.emitFolder.empty() ? std::vector<std::string>() : emitAll(report, arguments);
     progress.clear();
     if (!emitted) {

@@ -196,7 +196,13 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void print(const Listing& all) {
+/// What is missing and no command brings, such as data in a folder that only some machines have, is passed over.
+bool canBeHad(const WorkspaceRow& row) {
+    return row.problem.empty() || row.remedy.starts_with("tegument ") || row.remedy.starts_with("./bootstrap");
+}
+
+void print(Listing all) {
+    std::erase_if(all.workspaces, [](const WorkspaceRow& row) { return !canBeHad(row); });
     fmt::print("effects: techniques (tegument render EFFECT -t TECHNIQUE)\n");
     for (const EffectRow& effect : all.effects) {
         printRow(effect.file.stem().string(), effect.problem.empty() ? joined(effect.techniques) : effect.problem);
@@ -241,11 +247,11 @@ void addList(CLI::App& program, Action& action) {
     addExamples(*command, {{"list", "what can be drawn here"}});
     command->callback([json, &action] {
         action = [json] {
-            const Listing all = listing();
+            Listing all = listing();
             if (*json)
                 app::print(toJson(all));
             else
-                print(all);
+                print(std::move(all));
             return 0;
         };
     });

@@ -2,18 +2,20 @@
 
 #include "host/mesh/length.h"
 #include "meshprep/assets/generators.h"
+#include "tools/cli/animation.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/picture_files.h"
 #include "tools/cli/turntable.h"
+#include "tools/cli/unread.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-
+#include <iterator>
 #include <memory>
 
 namespace tegument::app {
@@ -208,6 +210,8 @@ int render(const RenderOptions& given) {
     RenderOptions options = given;
     const auto output = outputPath(options.pictures, options.job.file, options.turntable > 0);
     if (!output) return fail(output.error(), options.json);
+    for (int i = 1; i <= options.turntable && !isAnimation(*output); ++i)
+        if (const auto can = checkOutput(numbered(*output, i).string(), {}); !can) return fail(can.error(), options.json);
     Progress progress;
     progress.say("reading");
     auto job = assets::loadJob(options.job, MeshFor::Technique, options.turntable > 0, [&](const std::string& made) {
@@ -234,9 +238,10 @@ int render(const RenderOptions& given) {
     };
     progress.say("rendering");
     if (options.turntable > 0) return renderTurning(options, *job, *device, *output, progress);
-    const auto result = assets::runScene(*device, job->effect, job->scene, job->run);
+    auto result = assets::runScene(*device, job->effect, job->scene, job->run);
     progress.clear();
     if (!result) return fail(result.error(), options.json);
+    std::ranges::move(unreadValues(options.job.sets, job->effect, *result), std::back_inserter(result->warnings));
     warn(result->warnings);
     if (job->effect.adopted)
         if (const auto plain = plainPictureNote(result->image, job->effect.file.string())) warn({*plain});

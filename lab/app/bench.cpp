@@ -275,7 +275,7 @@ Result<int> motion(const BenchArguments& arguments, const std::vector<bench::Con
 }
 
 Result<int> keep(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
-    const auto part = batch::shardOf(arguments.referencePart);
+    const auto part = bench::partOf(arguments.referencePart);
     if (!part) return part.error();
     const auto pixels = shown([&](const bench::Say& say) { return bench::keepReferences(contenders, work.options, *part, say); });
     if (!pixels) return pixels.error();
@@ -431,7 +431,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--oversample", arguments->grid, "N: means of N x N samples a pixel are compared, the truth's and the picture's")
         ->check(CLI::Range(1, 8));
     command->add_option("--reference-part", arguments->referencePart,
-                        "Only compute and keep a part of the reference, 3/16, and draw nothing (docs/many.md)");
+                        "Only compute and keep a part of the reference, 3/16, and draw nothing (docs/bench.md)");
     command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");
     command->add_option("--catalogue", arguments->catalogue, "What can be compared (docs/bench.md)")->capture_default_str();
     command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")

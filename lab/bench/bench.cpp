@@ -51,8 +51,8 @@ Result<std::vector<Scene>> loadScenes(const BenchOptions& options, const Say& sa
     return scenes;
 }
 
-Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>& contenders, const BenchOptions& options,
-                                       batch::Shard part, const Say& say) {
+Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>& contenders, const BenchOptions& options, Part part,
+                                       const Say& say) {
     const std::string name = scene.name;
     auto stage = std::make_unique<Stage>(std::move(scene), options);
     if (stage->sample.points.empty())
@@ -215,8 +215,7 @@ void addTraffic(gpu::Device& device, const Contest& contest, const Say& say, Row
 
 } // namespace
 
-Result<std::size_t> keepReferences(const std::vector<Contender>& contenders, const BenchOptions& options, batch::Shard part,
-                                   const Say& say) {
+Result<std::size_t> keepReferences(const std::vector<Contender>& contenders, const BenchOptions& options, Part part, const Say& say) {
     auto scenes = loadScenes(options, say);
     if (!scenes) return scenes.error();
     std::size_t pixels = 0;

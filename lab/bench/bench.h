@@ -1,8 +1,8 @@
 #pragma once
 // Speed against error: techniques on scenes, timed by the device and held against brute force (docs/bench.md).
 
+#include "lab/bench/kept_light.h"
 #include "lab/bench/measure.h"
-#include "tools/batch/inputs.h"
 
 #include <filesystem>
 #include <optional>
@@ -63,7 +63,7 @@ struct BenchTools {
 };
 
 /// Computes and keeps this part of the references that `contenders` on every scene need, and draws nothing. How many pixels they have.
-[[nodiscard]] Result<std::size_t> keepReferences(const std::vector<Contender>& contenders, const BenchOptions& options, batch::Shard part,
+[[nodiscard]] Result<std::size_t> keepReferences(const std::vector<Contender>& contenders, const BenchOptions& options, Part part,
                                                  const Say& say);
 
 /// `contenders` on every scene, with every size of maps.

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 namespace tegument::bench {
 
@@ -28,7 +30,21 @@ std::string_view bytesOf(const std::vector<glm::dvec3>& light) {
     return {reinterpret_cast<const char*>(light.data()), light.size() * sizeof(glm::dvec3)};
 }
 
+bool readNumber(std::string_view text, std::size_t& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
 } // namespace
+
+Result<Part> partOf(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    Part part;
+    if (slash != std::string::npos && readNumber(std::string_view(text).substr(0, slash), part.index) &&
+        readNumber(std::string_view(text).substr(slash + 1), part.count) && part.index >= 1 && part.index <= part.count)
+        return part;
+    return usageError(8101, fmt::format("'{}' is no part", text), "parts count from 1: 1/8 is the first of eight");
+}
 
 Result<std::vector<glm::dvec3>> keptLight(const KeptLight& kept, std::size_t count, const ComputeLight& compute) {
     if (kept.folder.empty() || count < kKeptFrom) return compute(0, count);

@@ -3,7 +3,6 @@
 // machines fill together: each is renamed into place when it is whole, and whoever needs one that is missing computes it.
 
 #include "host/support/result.h"
-#include "tools/batch/inputs.h"
 
 #include <glm/glm.hpp>
 
@@ -20,10 +19,19 @@ inline constexpr std::size_t kKeptFrom = 4096;
 /// Of one file.
 inline constexpr std::size_t kKeptTogether = 1024;
 
+/// Part `index` (1 .. count) of `count`. Every file is in exactly one part.
+struct Part {
+    std::size_t index = 1;
+    std::size_t count = 1;
+};
+
+/// "3/100". TG8101 anything else.
+[[nodiscard]] Result<Part> partOf(const std::string& text);
+
 struct KeptLight {
     std::filesystem::path folder; // empty: nothing is kept
     std::string key;              // names all that decides the light: scene, pixels, kind of light, program
-    batch::Shard part;            // of the files, which are to be computed here
+    Part part;                    // of the files, which are to be computed here
 };
 
 /// The light of points [first, last).

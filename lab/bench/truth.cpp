@@ -186,7 +186,7 @@ Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t cou
     return sample;
 }
 
-KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, batch::Shard part) {
+KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, Part part) {
     if (folder.empty() || sample.points.size() < kKeptFrom) return {};
     static const auto program = readFile("/proc/self/exe");
     std::string all = sample.id + (program ? contentHash(*program) : std::string());

@@ -42,7 +42,7 @@ struct TruthScene {
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Where light of this sample may be kept: under a name of all that decides it, the program's own bytes included.
-[[nodiscard]] KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, batch::Shard part);
+[[nodiscard]] KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, Part part);
 
 /// Light of each point by the six Gaussians. TG5002.
 [[nodiscard]] Result<std::vector<glm::dvec3>> trueLight(const TruthScene& truth, const Sample& sample, const KeptLight& kept,

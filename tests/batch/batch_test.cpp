@@ -1,18 +1,14 @@
 // Many inputs, each by a shell of its own: what is run, what is kept, and what one poisoned input does to the others.
 
 #include "host/support/file.h"
-#include "tools/batch/inputs.h"
-#include "tools/batch/run.h"
-#include "tools/batch/slurm.h"
-#include "tools/batch/table.h"
+#include "tools/batch/batch.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <mutex>
-#include <set>
+#include <map>
 #include <unistd.h>
 
 namespace tegument::batch {
@@ -36,31 +32,36 @@ protected:
         return (folder_ / name).string();
     }
 
-    /// A batch that hands the input to a shell script as $0.
+    /// A batch that hands the input to a shell script as $0, which says that it has read it.
     Batch shell(const std::string& script) {
         return {.program = "/bin/sh",
                 .programIdentity = "1",
-                .words = {"-c", script, "{}"},
-                .with = {},
-                .filesBehind = [](const std::string& word) -> std::vector<fs::path> {
-                    std::error_code code;
-                    return fs::is_regular_file(word, code) ? std::vector<fs::path>{word} : std::vector<fs::path>{};
-                },
+                .words = {"-c", "printf 'r%s\\0' \"$0\" >> \"$TEGUMENT_FILES_USED\"; " + script, "{}"},
                 .results = folder_ / "results",
                 .timeLimit = 20,
                 .maxBytes = 0,
                 .jobs = 4};
     }
 
+    struct Sums {
+        int done = 0; // now
+        int before = 0;
+        int failed = 0;
+        bool operator==(const Sums&) const = default;
+    };
+
     Sums run(const std::vector<std::string>& inputs, const Batch& batch) {
-        const auto sums = runBatch(inputs, batch, {});
-        EXPECT_TRUE(sums) << format(sums.error());
-        return sums ? *sums : Sums{};
+        Sums sums;
+        const auto ran = runBatch(inputs, batch, [&](const Record& record, bool wasDone) {
+            ++(wasDone ? sums.before : isDone(record) ? sums.done : sums.failed);
+        });
+        EXPECT_TRUE(ran) << format(ran.error());
+        return sums;
     }
 
     std::map<std::string, Record> records() {
         std::map<std::string, Record> all;
-        const auto read = readRecords({folder_ / "results"});
+        const auto read = readRecords(folder_ / "results");
         EXPECT_TRUE(read) << format(read.error());
         if (read)
             for (const Record& record : *read)
@@ -70,28 +71,6 @@ protected:
 
     fs::path folder_ = fs::temp_directory_path() / ("tegument-batch-" + std::to_string(::getpid()));
 };
-
-TEST(Shards, hold_every_input_once) {
-    std::vector<std::string> inputs;
-    for (int i = 0; i < 101; ++i)
-        inputs.push_back(std::to_string(i));
-    for (const std::size_t count : {1U, 2U, 7U, 100U, 101U, 250U}) {
-        std::multiset<std::string> all;
-        std::size_t largest = 0;
-        std::size_t smallest = inputs.size();
-        for (std::size_t i = 1; i <= count; ++i) {
-            const auto part = partOf(inputs, {i, count});
-            all.insert(part.begin(), part.end());
-            largest = std::max(largest, part.size());
-            smallest = std::min(smallest, part.size());
-        }
-        EXPECT_EQ(all, std::multiset<std::string>(inputs.begin(), inputs.end())) << count;
-        EXPECT_LE(largest - smallest, 1U) << count;
-    }
-    EXPECT_EQ(shardOf("3/100")->index, 3U);
-    for (const char* wrong : {"", "3", "0/4", "5/4", "-1/4", "1/0", "a/b", "1/4x", "1 / 4", "1//4"})
-        EXPECT_EQ(shardOf(wrong) ? 0 : shardOf(wrong).error().diagnostics.at(0).code, 8101) << wrong;
-}
 
 TEST_F(Batches, take_patterns_and_lists_each_input_once) {
     const std::string a = write("a.ply", "a");
@@ -109,44 +88,53 @@ TEST(BatchCommands, fill_their_places_and_never_write_two_inputs_to_one_file) {
     EXPECT_EQ(commandFor({"prep", "{}", "-o", "out/{name}.glb", "{file}|{path}"}, "scans/a.b.ply"),
               (std::vector<std::string>{"prep", "scans/a.b.ply", "-o", "out/a.b.glb", "a.b.ply|scans/a.b"}));
     const std::vector<std::string> inputs{"x/scan.ply", "y/scan.ply"};
-    EXPECT_EQ(commandsDiffer({"prep", "{}", "-o", "{name}.glb"}, inputs).error().diagnostics.at(0).code, 8104);
-    EXPECT_TRUE(commandsDiffer({"prep", "{}", "-o", "{path}.glb"}, inputs));
-    EXPECT_TRUE(commandsDiffer({"check", "{}"}, inputs));
-    EXPECT_EQ(commandsDiffer({"check", "{name}"}, {"a"}).error().diagnostics.at(0).code, 8103);
+    const auto last = [](const std::vector<std::string>& command) { return std::vector{command.back()}; };
+    const auto codeOf = [&](const std::vector<std::string>& words) {
+        const auto differ = commandsDiffer(words, inputs, last);
+        return differ ? 0 : differ.error().diagnostics.at(0).code;
+    };
+    EXPECT_EQ(codeOf({"prep", "{}", "-o", "{name}.glb"}), 8104);
+    EXPECT_EQ(codeOf({"prep", "{}", "-o", "all.glb"}), 8104) << "a fixed name, too";
+    EXPECT_EQ(codeOf({"prep", "{}", "-o", "x/../{name}.glb"}), 8104);
+    EXPECT_EQ(codeOf({"prep", "{}", "-o", "y/./scan.ply"}), 8104) << "an input";
+    EXPECT_EQ(codeOf({"prep", "{}", "-o", "{path}.glb"}), 0);
+    EXPECT_EQ(codeOf({"check", "{name}"}), 8103);
 }
 
 TEST_F(Batches, run_again_only_what_is_missing_failed_or_changed) {
     const std::vector<std::string> inputs{write("a", "1"), write("b", "1"), write("c", "fails")};
     Batch batch = shell("grep -q fails \"$0\" && exit 1; echo '{\"read\": true}'");
-    const Sums first = run(inputs, batch);
-    EXPECT_EQ(std::tuple(first.done, first.kept, first.failed), std::tuple(2U, 0U, 1U));
-    const Sums second = run(inputs, batch);
-    EXPECT_EQ(std::tuple(second.done, second.kept, second.failed), std::tuple(0U, 2U, 1U));
+    EXPECT_EQ(run(inputs, batch), (Sums{.done = 2, .before = 0, .failed = 1}));
+    EXPECT_EQ(run(inputs, batch), (Sums{.done = 0, .before = 2, .failed = 1}));
     write("a", "2");
     write("c", "mended");
-    EXPECT_EQ(pendingOf(inputs, batch).size(), 2U);
-    const Sums third = run(inputs, batch);
-    EXPECT_EQ(std::tuple(third.done, third.kept, third.failed), std::tuple(2U, 1U, 0U));
-    EXPECT_TRUE(pendingOf(inputs, batch).empty());
+    EXPECT_EQ(run(inputs, batch), (Sums{.done = 2, .before = 1, .failed = 0}));
+    EXPECT_EQ(run(inputs, batch), (Sums{.done = 0, .before = 3, .failed = 0}));
     batch.programIdentity = "2";
-    EXPECT_EQ(pendingOf(inputs, batch).size(), 3U) << "another program may do it otherwise";
-    batch.programIdentity = "1";
-    batch.with = {write("mesh", "1")};
-    EXPECT_EQ(pendingOf(inputs, batch).size(), 3U);
-    EXPECT_EQ(run(inputs, batch).done, 3U);
-    write("mesh", "2");
-    EXPECT_EQ(pendingOf(inputs, batch).size(), 3U) << "a file that counts has changed";
+    EXPECT_EQ(run(inputs, batch).done, 3) << "another program may do it otherwise";
 }
 
-TEST_F(Batches, keep_what_failed_where_that_is_asked_for) {
-    const std::vector<std::string> inputs{write("a", "1")};
-    Batch batch = shell("exit 1");
-    EXPECT_EQ(run(inputs, batch).failed, 1U);
-    batch.keepsFailed = true;
-    EXPECT_TRUE(pendingOf(inputs, batch).empty());
-    const auto heard = runBatch(inputs, batch, [](const Record&, bool kept) { EXPECT_TRUE(kept); });
-    ASSERT_TRUE(heard);
-    EXPECT_EQ(heard->failed, 1U) << "it is not done for that";
+TEST_F(Batches, make_again_what_was_written_and_is_not_there_as_it_was) {
+    const std::vector<std::string> inputs{write("a", "1"), write("b", "2")};
+    const Batch batch = shell("cp \"$0\" \"$0.out\"; printf 'w%s\\0' \"$0.out\" >> \"$TEGUMENT_FILES_USED\"");
+    EXPECT_EQ(run(inputs, batch).done, 2);
+    EXPECT_EQ(run(inputs, batch).before, 2);
+    fs::remove(folder_ / "a.out");
+    EXPECT_EQ(run(inputs, batch), (Sums{.done = 1, .before = 1, .failed = 0})) << "gone";
+    EXPECT_EQ(*readFile(folder_ / "a.out"), "1");
+    for (const char* other : {"", "3", "22"}) {
+        write("b.out", other);
+        EXPECT_EQ(run(inputs, batch), (Sums{.done = 1, .before = 1, .failed = 0})) << other;
+        EXPECT_EQ(*readFile(folder_ / "b.out"), "2");
+    }
+}
+
+TEST_F(Batches, stop_where_two_inputs_have_written_the_same_file) {
+    const std::vector<std::string> inputs{write("a", "1"), write("b", "2")};
+    const std::string both = (folder_ / "both").string();
+    const auto ran = runBatch(inputs, shell("touch '" + both + "'; printf 'w%s\\0' '" + both + "' >> \"$TEGUMENT_FILES_USED\""), {});
+    ASSERT_FALSE(ran);
+    EXPECT_EQ(ran.error().diagnostics.at(0).code, 8104);
 }
 
 TEST_F(Batches, let_a_poisoned_input_fail_alone) {
@@ -158,8 +146,7 @@ TEST_F(Batches, let_a_poisoned_input_fail_alone) {
                         " *) echo done;; esac");
     batch.timeLimit = 3;
     batch.maxBytes = 256U << 20U;
-    const Sums sums = run({"slow", "greedy", "crash", "loud", "good", "fine"}, batch);
-    EXPECT_EQ(std::pair(sums.done, sums.failed), std::pair(std::size_t{3}, std::size_t{3}));
+    EXPECT_EQ(run({"slow", "greedy", "crash", "loud", "good", "fine"}, batch), (Sums{.done = 3, .before = 0, .failed = 3}));
     const auto all = records();
     EXPECT_EQ(stateOf(all.at("slow")), "out of time");
     EXPECT_EQ(stateOf(all.at("crash")), "killed by signal 11");
@@ -174,20 +161,20 @@ TEST_F(Batches, leave_no_record_of_what_was_cut_off_and_none_that_is_half) {
     const Batch batch = shell("echo '{}'");
     fs::create_directories(folder_ / "results" / "records");
     write("results/records/0123.json.tmp.elsewhere.7.1", "{\"input\": \"a");
-    EXPECT_EQ(run({input}, batch).done, 1U);
+    EXPECT_EQ(run({input}, batch).done, 1);
     EXPECT_EQ(records().size(), 1U) << "what a writer that died left behind is none";
     write("results/records/torn.json", "{\"input\": \"a");
-    const auto torn = readRecords({folder_ / "results"});
+    const auto torn = readRecords(folder_ / "results");
     ASSERT_FALSE(torn);
     EXPECT_EQ(torn.error().diagnostics.at(0).code, 8105);
-    EXPECT_EQ(readRecords({folder_ / "nothing"}).error().diagnostics.at(0).code, 8106);
+    EXPECT_EQ(readRecords(folder_ / "nothing").error().diagnostics.at(0).code, 8106);
 }
 
 TEST_F(Batches, refuse_a_record_whose_numbers_do_not_fit) {
     const std::string input = write("a", "1");
-    EXPECT_EQ(run({input}, shell("echo '{}'")).done, 1U);
-    const Record good = readRecords({folder_ / "results"})->at(0);
-    const fs::path file = recordFile(folder_ / "results", good.input, good.command);
+    EXPECT_EQ(run({input}, shell("echo '{}'")).done, 1);
+    const Record good = readRecords(folder_ / "results")->at(0);
+    const fs::path file = recordFile(folder_ / "results", good);
     const std::string text = *readFile(file);
     for (const auto& [name, value] : {std::pair{"exit_code", "1e36"},
                                       {"exit_code", "2147483648"},
@@ -205,37 +192,21 @@ TEST_F(Batches, refuse_a_record_whose_numbers_do_not_fit) {
     }
 }
 
-TEST_F(Batches, are_one_table_whoever_ran_them) {
-    Batch batch = shell("case \"$0\" in *bad) echo 'a: error TG1101: no' >&2; exit 1;; *) echo \"{\\\"mesh\\\": {\\\"faces\\\": 7}, "
-                        "\\\"rows\\\": [${#0}]}\";; esac");
-    const std::vector<std::string> inputs{"a", "bad", "c, \"d\"|<"};
-    batch.results = folder_ / "one";
-    run({inputs[0]}, batch);
-    batch.results = folder_ / "two";
-    run({inputs[1], inputs[2]}, batch);
-    const auto all = readRecords({folder_ / "one", folder_ / "two"});
+TEST_F(Batches, are_a_table_with_columns_of_what_was_printed) {
+    const Batch batch = shell("case \"$0\" in *bad) echo 'a: error TG1101: no' >&2; exit 1;; *) echo \"{\\\"mesh\\\": {\\\"faces\\\": 7}, "
+                              "\\\"rows\\\": [${#0}]}\";; esac");
+    run({"a", "bad", "c, \"d\"|<"}, batch);
+    const auto all = readRecords(folder_ / "results");
     ASSERT_TRUE(all);
-    const Table table = tableOf(*all, {*columnOf("faces=/mesh/faces"), *columnOf("/rows/0")});
-    EXPECT_EQ(table.header, (std::vector<std::string>{"input", "state", "seconds", "MiB", "faces", "0", "message"}));
-    ASSERT_EQ(table.rows.size(), 3U);
-    EXPECT_EQ(table.rows[0][0], "bad") << "what failed stands first";
-    EXPECT_EQ(table.rows[0].back(), "a: error TG1101: no");
-    EXPECT_EQ(table.rows[1][4], "7");
-    EXPECT_NE(csvOf(table).find("\n\"c, \"\"d\"\"|<\",done,"), std::string::npos) << csvOf(table);
-    EXPECT_NE(markdownOf(table).find("c, \"d\"\\|<"), std::string::npos);
-    EXPECT_NE(pageOf(table, sumsOf(*all)).find("<td>c, \"d\"|&lt;</td>"), std::string::npos);
-    EXPECT_EQ(sumsOf(*all).substr(0, 28), "3 inputs: 2 done, 1 failed; ");
-    for (const char* wrong : {"", "faces", "=/faces", "a/b"})
-        EXPECT_EQ(columnOf(wrong) ? 0 : columnOf(wrong).error().diagnostics.at(0).code, 8108) << wrong;
-
-    Record plain = all->front();
-    plain.result = "no JSON";
-    EXPECT_EQ(joinedResults({plain}).error().diagnostics.at(0).code, 8109);
-    const auto joined = joinedResults(*all);
-    ASSERT_TRUE(joined);
-    const auto json = nlohmann::json::parse(*joined);
-    EXPECT_EQ(json["rows"], (nlohmann::json{1, 8})) << "arrays one behind another";
-    EXPECT_EQ(json["mesh"]["faces"], 7);
+    const Rows table = tableOf(*all, {"/mesh/faces", "/rows/0", "none"});
+    ASSERT_EQ(table.size(), 4U);
+    EXPECT_EQ(table[0], (std::vector<std::string>{"input", "state", "seconds", "MiB", "faces", "0", "none", "message"}));
+    EXPECT_EQ(table[1][0], "bad") << "what failed stands first";
+    EXPECT_EQ(table[1].back(), "a: error TG1101: no");
+    EXPECT_EQ(table[2][4], "7");
+    EXPECT_EQ(table[2][5], "1");
+    EXPECT_EQ(table[2][6], "");
+    EXPECT_EQ(pageOf(table).sections.at(0).at("rows").size(), 3U);
 }
 
 TEST_F(Batches, of_many_at_a_time_run_each_input_once) {
@@ -244,23 +215,11 @@ TEST_F(Batches, of_many_at_a_time_run_each_input_once) {
         inputs.push_back("input " + std::to_string(i));
     Batch batch = shell("echo \"$0\" >> '" + (folder_ / "seen").string() + "'");
     batch.jobs = 16;
-    EXPECT_EQ(run(inputs, batch).done, inputs.size());
+    EXPECT_EQ(run(inputs, batch).done, 200);
     const auto seen = readFile(folder_ / "seen");
     ASSERT_TRUE(seen);
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(*seen, '\n')), inputs.size());
     EXPECT_EQ(records().size(), inputs.size());
-}
-
-TEST(SlurmScripts, hold_any_word_as_one) {
-    const std::string script = slurmScript("/opt/it's here/tegument", 100, {"--list", "a b.txt", "--", "prep", "{}", "$x'`"},
-                                           {"--partition=short"}, "/shared/logs");
-    EXPECT_NE(script.find("#SBATCH --array=1-100\n"), std::string::npos);
-    EXPECT_NE(script.find("#SBATCH --partition=short\n"), std::string::npos);
-    EXPECT_NE(
-        script.find("exec '/opt/it'\\''s here/tegument' batch --shard \"$SLURM_ARRAY_TASK_ID/100\" '--list' 'a b.txt' '--' 'prep' '{}' "
-                    "'$x'\\''`'\n"),
-        std::string::npos)
-        << script;
 }
 
 } // namespace

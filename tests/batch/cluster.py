@@ -9,7 +9,7 @@ import socket
 import subprocess
 import time
 
-PROGRAMS = ("slurmctld", "slurmd", "sbatch", "squeue", "sinfo", "munged")
+PROGRAMS = ("slurmctld", "slurmd", "srun", "sinfo", "munged")
 CONFIGURATION = """ClusterName=tegument
 SlurmctldHost={host}(127.0.0.1)
 SlurmUser=root
@@ -31,7 +31,7 @@ SelectTypeParameters=CR_Core
 SlurmdTimeout=10
 MpiDefault=none
 AccountingStorageType=accounting_storage/none
-NodeName=n[1-{nodes}] NodeHostname={host} NodeAddr=127.0.0.1 Port=[{first}-{last}] CPUs=1 RealMemory=1000 State=UNKNOWN
+NodeName=n[1-{nodes}] NodeHostname={host} NodeAddr=127.0.0.1 Port=[{first}-{last}] CPUs=1 RealMemory=4000 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
 
@@ -62,7 +62,7 @@ def free_ports(count):
 
 
 class Cluster:
-    """with Cluster(folder, 4) as cluster: cluster.environment is for sbatch and squeue."""
+    """with Cluster(folder, 4) as cluster: cluster.environment is for srun."""
 
     def __init__(self, folder, nodes):
         self.folder = pathlib.Path(folder).resolve()
@@ -114,16 +114,24 @@ class Cluster:
                 raise TimeoutError
             time.sleep(0.2)
 
-    def kill_processes(self, node):
-        """What runs in the node's jobs, the step daemons first: they must not tell the controller."""
+    def processes(self, node):
+        """Of the node's jobs."""
         pids = []
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             try:
-                own = f"SLURM_CONF={self.folder}/slurm.conf".encode() in (process / "environ").read_bytes().split(b"\0")
-                if own and f"SLURMD_NODENAME={node}".encode() in (process / "environ").read_bytes().split(b"\0"):
-                    pids.append(int(process.name))
+                environment = (process / "environ").read_bytes().split(b"\0")
             except OSError:
-                pass
+                continue
+            if all(word.encode() in environment for word in (f"SLURM_CONF={self.folder}/slurm.conf", f"SLURMD_NODENAME={node}")):
+                pids.append(int(process.name))
+        return pids
+
+    def has_processes(self, node):
+        return bool(self.processes(node))
+
+    def kill_processes(self, node):
+        """What runs in the node's jobs, the step daemons first: they must not tell the controller."""
+        pids = self.processes(node)
         parents = []
         for pid in pids:
             try:

@@ -1,11 +1,15 @@
 // Batches as a user runs them: mesh by mesh, with one that cannot be read among them.
 
+#include "host/support/file.h"
 #include "tests/cli/program.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <random>
+#include <set>
 
 namespace tegument::test {
 namespace {
@@ -34,15 +38,20 @@ TEST(BatchCommand, does_what_can_be_done_and_names_what_cannot) {
     EXPECT_TRUE(fs::exists(folder + "/a.glb") && fs::exists(folder + "/c.glb"));
 
     (void)write("batch/b.obj", kTriangle);
-    const Ran second = tegument(prepare(folder, {"--shard", "2/2"}));
+    const Ran second = tegument(prepare(folder));
     EXPECT_EQ(second.code, 0) << second.out << second.err;
-    EXPECT_NE(second.out.find("1 inputs: 1 done"), std::string::npos) << second.out;
+    EXPECT_NE(second.out.find("3 inputs: 1 done, 2 done before, 0 failed"), std::string::npos) << second.out;
 
-    const Ran merged = tegument({"merge", folder + "/done", "--column", "/faces", "-o", folder + "/report.csv"});
-    EXPECT_EQ(merged.code, 0) << merged.err;
-    const Ran lines = tegument({"merge", folder + "/done", "--json"});
+    const Ran report = tegument({"batch", "--results", folder + "/done", "--column", "/output/faces", "--report", folder + "/report.html"});
+    EXPECT_EQ(report.code, 0) << report.err;
+    const auto page = readFile(folder + "/report.html");
+    ASSERT_TRUE(page);
+    EXPECT_NE(page->find("a.obj\",\"done\","), std::string::npos);
+    const Ran lines = tegument({"batch", "--results", folder + "/done", "--json"});
     EXPECT_EQ(std::ranges::count(lines.out, '\n'), 3);
     EXPECT_EQ(lines.out.find("\"state\":\"failed"), std::string::npos) << "the new record has replaced the old";
+    EXPECT_NE(tegument({"batch", "--results", folder + "/done"}).out.find("c.obj  "), std::string::npos);
+    EXPECT_NE(tegument({"batch", "--results", folder + "/nothing"}).err.find("TG8106"), std::string::npos);
 }
 
 TEST(BatchCommand, an_effect_counts_with_all_that_it_includes) {
@@ -73,6 +82,11 @@ TEST(BatchCommand, refuses_before_it_runs_anything) {
     refused({"batch", "{}"}, "TG8107");
     refused({"prep", "a.obj"}, "TG8103");
     refused({"prep", "{}", "-o", folder + "/{name}.glb"}, "TG8104");
+    refused({"prep", "{}", "-o", folder + "/one.glb"}, "TG8104");
+    refused({"prep", "{}", "--dry-run", "--report=" + folder + "/one.json"}, "TG8104");
+    refused({"prep", "links", "{}"}, "TG8104");
+    refused({"render", "Main", "--mesh", "{}"}, "TG8104");
+    refused({"prep", "{}", "-o", folder + "/../refused/below/a.obj"}, "TG8104");
     EXPECT_FALSE(fs::exists(folder + "/done"));
     const Ran dry =
         tegument({"batch", "-i", folder + "/a.obj", "--results", folder + "/done", "--dry-run", "--", "prep", "{}", "-o", "{path}.glb"});
@@ -80,18 +94,58 @@ TEST(BatchCommand, refuses_before_it_runs_anything) {
     EXPECT_FALSE(fs::exists(folder + "/done"));
 }
 
-TEST(SubmitCommand, prints_the_script_and_says_where_slurm_is_missing) {
-    const std::string folder = fs::path(write("submit/a.obj", kTriangle)).parent_path().string();
-    const std::vector<std::string> submit{"submit", "--slurm", "-i", folder + "/*.obj",     "--results", folder + "/done", "--",
-                                          "prep",   "{}",      "-o", folder + "/{name}.glb"};
-    const Ran printed = tegument(submit);
-    EXPECT_EQ(printed.code, 0) << printed.err;
-    EXPECT_NE(printed.out.find("#SBATCH --array=1-1\n"), std::string::npos) << printed.out;
-    std::vector<std::string> go = submit;
-    go.insert(go.begin() + 2, "--go");
-    const Ran gone = tegument(go, {{"PATH", "/nowhere"}});
-    EXPECT_EQ(gone.code, 3) << gone.err;
-    EXPECT_NE(gone.err.find("TG8110"), std::string::npos) << gone.err;
+TEST(BatchCommand, takes_inputs_right_before_the_command) {
+    const std::string folder = fs::path(write("last/a.obj", kTriangle)).parent_path().string();
+    const Ran ran = tegument({"batch", "--results", folder + "/done", "-i", folder + "/a.obj", "--", "prep", "{}", "-o", "{path}.glb"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(fs::exists(folder + "/a.glb"));
+}
+
+/// A thousand outputs are deleted, cut or changed at random; each is made again, bit by bit, and no other.
+TEST(BatchCommand, makes_again_each_output_that_is_gone_cut_or_changed) {
+    constexpr int kInputs = 40;
+    constexpr int kRounds = 25;
+    constexpr std::size_t kDamaged = 40;
+    std::vector<std::string> outputs;
+    std::map<std::string, std::string> whole;
+    std::string folder;
+    for (int i = 0; i < kInputs; ++i) {
+        const std::string effect = write("damaged/e" + std::to_string(i) + ".fx", "float gValue = " + std::to_string(i) + ";\n");
+        folder = fs::path(effect).parent_path().string();
+        outputs.push_back(folder + "/flat/e" + std::to_string(i) + ".fx");
+    }
+    const std::vector<std::string> batch{"batch", "-j",      "4",  "--results", folder + "/done",          "-i", folder + "/*.fx",
+                                         "--",    "flatten", "{}", "-o",        folder + "/flat/{name}.fx"};
+    ASSERT_EQ(tegument(batch).code, 0);
+    for (const std::string& file : outputs)
+        whole[file] = *readFile(file);
+    std::mt19937 random(7);
+    std::size_t damaged = 0;
+    for (int round = 0; round < kRounds; ++round) {
+        std::set<std::string> hit;
+        for (std::size_t i = 0; i < kDamaged; ++i) {
+            const std::string& file = outputs[random() % outputs.size()];
+            const std::string& content = whole[file];
+            hit.insert(file);
+            ++damaged;
+            switch (random() % 3) {
+            case 0: fs::remove(file); break;
+            case 1: ASSERT_TRUE(writeFile(file, content.substr(0, random() % content.size()))); break;
+            default: {
+                std::string changed = content;
+                changed[random() % changed.size()] ^= 1;
+                ASSERT_TRUE(writeFile(file, changed));
+            }
+            }
+        }
+        const Ran ran = tegument(batch);
+        ASSERT_EQ(ran.code, 0) << ran.out << ran.err;
+        const std::string expected = std::to_string(hit.size()) + " done, " + std::to_string(outputs.size() - hit.size()) + " done before";
+        EXPECT_NE(ran.out.find(expected), std::string::npos) << expected << ": " << ran.out;
+        for (const auto& [file, content] : whole)
+            ASSERT_EQ(*readFile(file), content) << file;
+    }
+    EXPECT_EQ(damaged, 1000U);
 }
 
 } // namespace

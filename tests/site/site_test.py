@@ -86,7 +86,7 @@ class Site(unittest.TestCase):
     def test_the_search_finds_a_page_by_its_words(self):
         self.browser.open(self.folder / "docs" / "design" / "README.html")
         self.browser.evaluate("document.getElementById('search').focus()")
-        self.browser.type("slurm shards")
+        self.browser.type("snakemake slurm")
         self.keep("site_search")
         first = self.browser.evaluate("document.querySelector('#found a').href")
         self.assertTrue(first.startswith("file://") and pathlib.Path(first[7:]).exists(), first)

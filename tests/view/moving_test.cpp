@@ -173,7 +173,7 @@ TEST_F(AfterAnEdit, a_session_takes_over_what_the_device_holds_and_draws_the_sam
                              .width = 16,
                              .height = 16,
                              .compiler = defaultCompiler(),
-                             .textures = {{"gColorMap", "docs/images/batch_model.png"}}};
+                             .textures = {{"gColorMap", "docs/images/growth.png"}}};
     const auto drawn = [&](EffectSession& session) {
         const auto frame = session.draw({}, options);
         EXPECT_TRUE(frame) << (frame ? "" : format(frame.error()));

@@ -1,6 +1,5 @@
-#include "tools/batch/record.h"
-
 #include "host/support/file.h"
+#include "tools/batch/batch.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,10 +17,6 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr int kSignal = 128;
-
-fs::path recordsOf(const fs::path& folder) {
-    return folder / "records";
-}
 
 /// What the command printed, as part of our own JSON where it is JSON.
 Json resultOf(const Record& record) {
@@ -43,17 +38,35 @@ std::string textOf(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-std::pair<std::string, std::string> keyOf(const Record& record) {
-    return {record.input, fmt::format("{}", fmt::join(record.command, "\n"))};
+Json jsonOf(const FileStates& files) {
+    Json json = Json::object();
+    for (const auto& [file, state] : files)
+        json[file] = {{"bytes", state.bytes}, {"hash", state.hash}};
+    return json;
 }
 
-/// The files of a folder that are whole: what a writer that died left behind has another ending.
-std::vector<fs::path> filesOf(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code code;
-    for (fs::directory_iterator entry(recordsOf(folder), code), end; !code && entry != end; entry.increment(code))
-        if (entry->path().extension() == ".json") files.push_back(entry->path());
+FileStates statesFrom(const Json& json) {
+    FileStates files;
+    for (const auto& [file, state] : json.items())
+        files[file] = {.bytes = wholeOf<std::size_t>(state, "bytes"), .hash = state.at("hash")};
     return files;
+}
+
+std::string valueAt(const Json& result, const std::string& pointer) {
+    try {
+        const Json::json_pointer at(pointer);
+        return result.contains(at) ? textOf(result.at(at)) : std::string();
+    } catch (const Json::exception&) {
+        return {};
+    }
+}
+
+/// The first line that tells of an error, else the first line.
+std::string firstMessage(const Record& record) {
+    if (isDone(record)) return {};
+    const std::size_t error = record.messages.find("error");
+    const std::size_t begin = error == std::string::npos ? 0 : record.messages.rfind('\n', error) + 1;
+    return record.messages.substr(begin, record.messages.find('\n', begin) - begin);
 }
 
 } // namespace
@@ -69,23 +82,33 @@ std::string stateOf(const Record& record) {
     return fmt::format("failed ({})", record.exitCode);
 }
 
-fs::path recordFile(const fs::path& folder, const std::string& input, const std::vector<std::string>& command) {
-    return recordsOf(folder) / (contentHash(fmt::format("{}\n{}", input, fmt::join(command, "\n"))) + ".json");
+FileStates statesOf(const std::vector<fs::path>& files) {
+    FileStates states;
+    for (const fs::path& file : files)
+        if (const auto bytes = readFile(file)) states[file.string()] = {.bytes = bytes->size(), .hash = contentHash(*bytes)};
+    return states;
+}
+
+bool areUnchanged(const FileStates& files) {
+    return std::ranges::all_of(files, [](const auto& one) {
+        const auto& [file, state] = one;
+        std::error_code code;
+        if (fs::file_size(file, code) != state.bytes || code) return false;
+        const auto bytes = readFile(file);
+        return bytes && contentHash(*bytes) == state.hash;
+    });
+}
+
+fs::path recordFile(const fs::path& folder, const Record& record) {
+    return folder / "records" / (contentHash(fmt::format("{}\n{}", record.input, fmt::join(record.command, "\n"))) + ".json");
 }
 
 std::string lineOf(const Record& record) {
-    const Json json = {{"input", record.input},           {"state", stateOf(record)},
-                       {"seconds", record.seconds},       {"processor_seconds", record.processorSeconds},
-                       {"peak_bytes", record.peakBytes},  {"exit_code", record.exitCode},
-                       {"out_of_time", record.outOfTime}, {"command", record.command},
-                       {"identity", record.identity},     {"host", record.host},
-                       {"ended", record.ended},           {"result", resultOf(record)},
-                       {"messages", record.messages}};
+    const Json json = {
+        {"input", record.input},        {"state", stateOf(record)},          {"seconds", record.seconds},  {"peak_bytes", record.peakBytes},
+        {"exit_code", record.exitCode}, {"out_of_time", record.outOfTime},   {"command", record.command},  {"program", record.program},
+        {"read", jsonOf(record.read)},  {"written", jsonOf(record.written)}, {"result", resultOf(record)}, {"messages", record.messages}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-Result<void> writeRecord(const fs::path& folder, const Record& record) {
-    return writeFile(recordFile(folder, record.input, record.command), lineOf(record) + "\n");
 }
 
 Result<Record> readRecord(const fs::path& file) {
@@ -93,52 +116,61 @@ Result<Record> readRecord(const fs::path& file) {
     if (!text) return text.error();
     try {
         const Json json = Json::parse(*text);
-        Record record{.input = json.at("input"),
+        return Record{.input = json.at("input"),
                       .command = json.at("command"),
-                      .identity = json.at("identity"),
+                      .program = json.at("program"),
+                      .read = statesFrom(json.at("read")),
+                      .written = statesFrom(json.at("written")),
                       .exitCode = wholeOf<int>(json, "exit_code"),
                       .outOfTime = json.at("out_of_time"),
                       .seconds = json.at("seconds"),
-                      .processorSeconds = json.at("processor_seconds"),
                       .peakBytes = wholeOf<std::size_t>(json, "peak_bytes"),
                       .result = textOf(json.at("result")),
-                      .messages = json.at("messages"),
-                      .host = json.at("host"),
-                      .ended = json.at("ended")};
-        return record;
+                      .messages = json.at("messages")};
     } catch (const Json::exception& error) {
         return inputError(8105, {.file = file.string(), .byte = {}}, fmt::format("is no record of a batch: {}", error.what()),
                           "remove it, and run the batch again: it does only what is missing");
     }
 }
 
-Result<std::vector<Record>> readRecords(const std::vector<fs::path>& folders) {
-    std::map<std::pair<std::string, std::string>, Record> latest;
-    for (const fs::path& folder : folders) {
-        const std::vector<fs::path> files = filesOf(folder);
-        if (files.empty())
-            return usageError(8106, fmt::format("{} holds no records of a batch", folder.string()), "name the folder that --results had");
-        for (const fs::path& file : files) {
-            auto record = readRecord(file);
-            if (!record) return record.error();
-            auto [at, isNew] = latest.try_emplace(keyOf(*record), *record);
-            if (!isNew && record->ended > at->second.ended) at->second = std::move(*record);
-        }
-    }
+Result<std::vector<Record>> readRecords(const fs::path& folder) {
     std::vector<Record> all;
-    for (auto& [key, record] : latest)
-        all.push_back(std::move(record));
+    std::error_code code;
+    for (fs::directory_iterator entry(folder / "records", code), end; !code && entry != end; entry.increment(code)) {
+        if (entry->path().extension() != ".json") continue; // what a writer that died left behind
+        auto record = readRecord(entry->path());
+        if (!record) return record.error();
+        all.push_back(std::move(*record));
+    }
+    if (all.empty())
+        return usageError(8106, fmt::format("{} holds no records of a batch", folder.string()), "name the folder that --results had");
+    std::ranges::sort(all, {}, [](const Record& record) { return std::tuple(isDone(record), record.input, record.command); });
     return all;
 }
 
-std::string valueAt(const Record& record, const std::string& pointer) {
-    const Json result = resultOf(record);
-    try {
-        const Json::json_pointer at(pointer);
-        return result.contains(at) ? textOf(result.at(at)) : std::string();
-    } catch (const Json::exception&) {
-        return {};
+Rows tableOf(const std::vector<Record>& records, const std::vector<std::string>& columns) {
+    Rows rows{{"input", "state", "seconds", "MiB"}};
+    for (const std::string& column : columns)
+        rows.front().push_back(column.substr(column.rfind('/') + 1));
+    rows.front().emplace_back("message");
+    for (const Record& record : records) {
+        rows.push_back({record.input, stateOf(record), fmt::format("{:.2f}", record.seconds),
+                        fmt::format("{:.0f}", static_cast<double>(record.peakBytes) / 0x1p20)});
+        const Json result = resultOf(record);
+        for (const std::string& column : columns)
+            rows.back().push_back(valueAt(result, column));
+        rows.back().push_back(firstMessage(record));
     }
+    return rows;
+}
+
+report::Page pageOf(const Rows& table) {
+    std::vector<report::Column> columns;
+    for (const std::string& title : table.front())
+        columns.push_back({.title = title, .kind = "text", .help = {}});
+    const Json rows(std::vector(table.begin() + 1, table.end()));
+    const std::string summary = fmt::format("{} inputs", rows.size());
+    return {"tegument batch", summary, {}, {}, {report::table("Inputs", "", columns, rows)}};
 }
 
 } // namespace tegument::batch

@@ -268,8 +268,12 @@ void setUpHelp(CLI::App& program, Action& action) {
 }
 
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (const auto end = std::ranges::find(words, "--"); end != words.end() && words.front() == "batch")
+        words.insert(end, "--"); // an option that takes any number of words eats the first
     try {
-        program.parse(argc, argv);
+        std::ranges::reverse(words);
+        program.parse(words);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error); // --help, --version

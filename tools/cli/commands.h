@@ -30,8 +30,6 @@ void addSheet(CLI::App& program, Action& action);
 void addCompare(CLI::App& program, Action& action);
 void addView(CLI::App& program, Action& action);
 void addBatch(CLI::App& program, Action& action);
-void addMerge(CLI::App& program, Action& action);
-void addSubmit(CLI::App& program, Action& action);
 
 /// tegument check --lsp: until the editor says exit. Its exit code.
 int serveEditor(const LoadOptions& load);

@@ -35,8 +35,7 @@ void addView(CLI::App& program, Action& action) {
 
 #ifndef TEGUMENT_WITH_BATCH
 void addBatch(CLI::App& program, Action& action) {
-    for (const char* name : {"batch", "submit", "merge"})
-        addLeftOut(program, action, name, "TEGUMENT_BATCH");
+    addLeftOut(program, action, "batch", "TEGUMENT_BATCH");
 }
 #endif
 

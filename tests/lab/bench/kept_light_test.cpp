@@ -22,7 +22,7 @@ protected:
     }
 
     /// Light that tells which point it is of; counts the points that were computed.
-    std::vector<glm::dvec3> light(std::size_t count, batch::Shard part = {}, const fs::path& folder = {}) {
+    std::vector<glm::dvec3> light(std::size_t count, Part part = {}, const fs::path& folder = {}) {
         const auto all = keptLight({.folder = folder.empty() ? folder_ : folder, .key = "key", .part = part}, count,
                                    [&](std::size_t first, std::size_t last) {
                                        std::vector<glm::dvec3> some;
@@ -46,6 +46,12 @@ protected:
 };
 
 constexpr std::size_t kMany = 10 * kKeptTogether + 7;
+
+TEST(Parts, count_from_one) {
+    EXPECT_EQ(partOf("3/100")->index, 3U);
+    for (const char* wrong : {"", "3", "0/4", "5/4", "-1/4", "1/0", "a/b", "1/4x", "1 / 4", "1//4"})
+        EXPECT_EQ(partOf(wrong) ? 0 : partOf(wrong).error().diagnostics.at(0).code, 8101) << wrong;
+}
 
 TEST_F(KeptLights, are_computed_once) {
     expectWhole(light(kMany), kMany);

@@ -84,7 +84,7 @@ TEST_F(Off, faces_behind_the_last_are_kept_with_a_warning_and_what_is_no_face_is
     ASSERT_TRUE(mesh) << format(mesh.error());
     EXPECT_EQ(mesh->indices.size(), 6U);
     EXPECT_TRUE(hasWarning(*mesh, 5323));
-    const auto point = load("a.off", "OFF\n3 1 0\n" + kPoints + "3 0 1 2\n"); // a vertex more than announced
+    const auto point = load("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n0.5 1 0\n3 0 1 2\n"); // a vertex more than announced
     ASSERT_FALSE(point);
     EXPECT_FALSE(load("a.off", "OFF\n4 1 0\n" + kPoints + "3 0 1 2\nthe end\n"));
 }

@@ -139,7 +139,8 @@ std::string fileOf(const Stream& stream, Packing packing) {
             gltf.json["bufferViews"][at] = {
                 {"buffer", 1}, {"byteLength", 4 * padded}, {"extensions", {{"EXT_meshopt_compression", packed}}}};
             if (padded != stride) gltf.json["bufferViews"][at]["byteStride"] = padded;
-            gltf.json["buffers"] = {{{"byteLength", 0}}, {{"byteLength", 64}}};
+            gltf.json["buffers"] = {{{"byteLength", 0}},
+                                    {{"byteLength", 64}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
         }
     });
     if (packing == Packing::Draco || packing == Packing::DracoNormalised) addDraco(gltf, stream, packing == Packing::DracoNormalised);
@@ -153,6 +154,7 @@ std::map<std::array<float, 3>, std::vector<double>> readStream(const Mesh& mesh,
     const auto kept = std::ranges::find(mesh.attributes, name.substr(name.starts_with('_') ? 1 : 0), &MeshAttribute::name);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         std::vector<double>& values = found[{mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z}];
+        values.clear(); // vertices of one place are alike
         for (std::size_t c = 0; c < channelsOf(stream); ++c) {
             const auto channel = static_cast<glm::length_t>(c);
             if (name == "COLOR_0" && !mesh.colors.empty()) values.push_back(static_cast<double>(mesh.colors[v][channel]));

@@ -43,25 +43,29 @@ std::uint32_t bitsAt(std::string_view bytes, std::size_t offset, std::size_t siz
 }
 
 /// Specification 3.6.2.2: f = c / 127, max(c / 127, -1) and so on.
-float toFloat(std::uint32_t bits, std::size_t type, bool normalized) {
+float toRange(float value, std::size_t type) {
     switch (type) {
-    case kByte: {
-        const auto value = static_cast<float>(static_cast<std::int8_t>(bits));
-        return normalized ? std::max(value / 127, -1.0f) : value;
+    case kByte: return std::max(value / 127, -1.0f);
+    case kUnsignedByte: return value / 255.0f;
+    case kShort: return std::max(value / 32767, -1.0f);
+    case kUnsignedShort: return value / 65535.0f;
+    default: return value;
     }
-    case kUnsignedByte: return static_cast<float>(bits) / (normalized ? 255.0f : 1.0f);
-    case kShort: {
-        const auto value = static_cast<float>(static_cast<std::int16_t>(bits));
-        return normalized ? std::max(value / 32767, -1.0f) : value;
+}
+
+float toFloat(std::uint32_t bits, std::size_t type, bool normalized) {
+    float value = 0;
+    switch (type) {
+    case kByte: value = static_cast<float>(static_cast<std::int8_t>(bits)); break;
+    case kShort: value = static_cast<float>(static_cast<std::int16_t>(bits)); break;
+    case kFloat: std::memcpy(&value, &bits, sizeof value); break;
+    default: value = static_cast<float>(bits);
     }
-    case kUnsignedShort: return static_cast<float>(bits) / (normalized ? 65535.0f : 1.0f);
-    case kUnsignedInt: return static_cast<float>(bits);
-    default: {
-        float value = 0;
-        std::memcpy(&value, &bits, sizeof value);
-        return value;
-    }
-    }
+    return normalized ? toRange(value, type) : value;
+}
+
+bool isNormalized(const GltfValue& accessor) {
+    return accessor.has("normalized") && accessor.json()["normalized"] == true;
 }
 
 } // namespace
@@ -101,12 +105,8 @@ Result<GltfDocument::Run> GltfDocument::describe(const GltfValue& accessor, std:
     if (componentSize(*type) == 0) return accessor.wrong(fmt::format("has the unknown componentType {}", *type));
     if (componentsOf(accessor.text("type")) != components)
         return accessor.wrong(fmt::format("is of type '{}', but {} components are needed", accessor.text("type"), components));
-    const Run shape{.bytes = {},
-                    .stride = 0,
-                    .count = *count,
-                    .componentType = *type,
-                    .components = components,
-                    .normalized = accessor.has("normalized") && accessor.json()["normalized"] == true};
+    const Run shape{
+        .bytes = {}, .stride = 0, .count = *count, .componentType = *type, .components = components, .normalized = isNormalized(accessor)};
     if (!accessor.has("bufferView")) {
         // zeros need no bytes in the file, so the size of the file is the only measure for a count that means no harm
         if (*count > source_->bytes.size())
@@ -114,6 +114,11 @@ Result<GltfDocument::Run> GltfDocument::describe(const GltfValue& accessor, std:
         return shape;
     }
     return place(accessor, shape);
+}
+
+float GltfDocument::normalised(float value, const GltfValue& accessor) {
+    const auto type = accessor.whole("componentType", 65536, kFloat);
+    return type && isNormalized(accessor) ? toRange(value, *type) : value;
 }
 
 Result<std::vector<float>> GltfDocument::floats(std::size_t index, std::size_t components) const {

@@ -67,13 +67,21 @@ std::string decodePercent(std::string_view uri) {
 
 /// Extensions that are read, and those without which the geometry is still right.
 bool isHarmless(const std::string& extension) {
-    static constexpr std::array<std::string_view, 14> kNames = {"KHR_mesh_quantization",   "KHR_lights_punctual",
-                                                                "KHR_texture_transform",   "KHR_draco_mesh_compression",
-                                                                "EXT_meshopt_compression", "KHR_meshopt_compression",
-                                                                "EXT_mesh_gpu_instancing", "KHR_texture_basisu",
-                                                                "EXT_texture_webp",        "EXT_texture_avif",
-                                                                "MSFT_texture_dds",        "KHR_xmp_json_ld",
-                                                                "KHR_animation_pointer",   "MSFT_lod"};
+    static constexpr std::array<std::string_view, 15> kNames = {"EXT_mesh_primitive_restart",
+                                                                "KHR_mesh_quantization",
+                                                                "KHR_lights_punctual",
+                                                                "KHR_texture_transform",
+                                                                "KHR_draco_mesh_compression",
+                                                                "EXT_meshopt_compression",
+                                                                "KHR_meshopt_compression",
+                                                                "EXT_mesh_gpu_instancing",
+                                                                "KHR_texture_basisu",
+                                                                "EXT_texture_webp",
+                                                                "EXT_texture_avif",
+                                                                "MSFT_texture_dds",
+                                                                "KHR_xmp_json_ld",
+                                                                "KHR_animation_pointer",
+                                                                "MSFT_lod"};
     return extension.starts_with("KHR_materials_") || std::ranges::find(kNames, extension) != kNames.end();
 }
 
@@ -98,6 +106,9 @@ std::optional<Error> GltfDocument::readGlb() {
     const std::size_t length = littleEndian32(bytes, 8);
     if (length > bytes.size())
         return truncated(source_->atByte(bytes.size()), fmt::format("its header announces {} bytes, {} are there", length, bytes.size()));
+    if (length < kHeader + kChunkHeader)
+        return malformed(source_->atByte(8),
+                         fmt::format("its header announces {} bytes, {} are there: no JSON chunk fits", length, bytes.size()));
     bytes = bytes.substr(0, length);
 
     std::string_view text;
@@ -118,7 +129,7 @@ std::optional<Error> GltfDocument::readGlb() {
         }
         offset = start + size;
     }
-    if (text.empty()) return malformed(source_->atByte(kHeader), "the glb has no JSON chunk");
+    if (text.empty()) return malformed(source_->atByte(kHeader), "the glb has no JSON chunk, or one of length 0");
     return parse(text, textOffset);
 }
 

@@ -19,6 +19,8 @@ public:
 
     /// `components` numbers per element, converted to float (normalised integers to -1..1 or 0..1), sparse substitutions applied.
     [[nodiscard]] Result<std::vector<float>> floats(std::size_t accessor, std::size_t components) const;
+    /// A number as the accessor's elements stand for: whole numbers to -1..1 or 0..1 where it says that they are normalised.
+    [[nodiscard]] static float normalised(float value, const GltfValue& accessor);
     /// Unsigned integers of a SCALAR accessor.
     [[nodiscard]] Result<std::vector<std::uint32_t>> indices(std::size_t accessor) const;
     /// How many numbers an element of the accessor has, 1 to 4; 0 for matrices and accessors that do not exist.

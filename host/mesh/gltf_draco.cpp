@@ -10,7 +10,8 @@ namespace tegument::meshfile {
 
 namespace {
 
-Result<DracoMesh::Values> valuesOf(const draco::Mesh& mesh, std::uint32_t id, const GltfValue& from) {
+/// `accessor`: of the same attribute. Only it says whether whole numbers stand for 0 to 1: many encoders do not pass that on.
+Result<DracoMesh::Values> valuesOf(const draco::Mesh& mesh, std::uint32_t id, const GltfValue& from, const GltfValue& accessor) {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(id);
     if (!attribute) return from.wrong(fmt::format("names attribute {}, which the compressed mesh has not", id));
     DracoMesh::Values values{.components = static_cast<std::size_t>(attribute->num_components()), .numbers = {}};
@@ -21,6 +22,9 @@ Result<DracoMesh::Values> valuesOf(const draco::Mesh& mesh, std::uint32_t id, co
         if (!attribute->ConvertValue<float>(at, components, &values.numbers[values.components * point]))
             return from.wrong(fmt::format("has an attribute {} whose values cannot be read", id));
     }
+    if (!attribute->normalized() && draco::IsDataTypeIntegral(attribute->data_type()))
+        for (float& number : values.numbers)
+            number = GltfDocument::normalised(number, accessor);
     return values;
 }
 
@@ -47,10 +51,12 @@ Result<DracoMesh> readDraco(const GltfDocument& document, const GltfValue& primi
         }
     const GltfValue names = extension["attributes"];
     if (!names.json().is_object()) return extension.wrong("has no list of attributes");
+    const GltfValue accessors = document.root()["accessors"];
     for (const auto& [name, unused] : names.json().items()) {
+        const auto own = primitive["attributes"].whole(name.c_str(), accessors.size(), {});
         const auto id = names.whole(name.c_str(), UINT32_MAX, {});
         if (!id) return id.error();
-        auto values = valuesOf(mesh, static_cast<std::uint32_t>(*id), extension);
+        auto values = valuesOf(mesh, static_cast<std::uint32_t>(*id), extension, own ? accessors[*own] : extension);
         if (!values) return values.error();
         result.attributes.emplace(name, std::move(*values));
     }

@@ -57,8 +57,11 @@ std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
     const auto addReference = [&](const std::string& role, const GltfValue& reference) -> std::optional<Error> {
         const auto index = reference.whole("index", SIZE_MAX, {});
         if (!index) return index.error();
-        if (reference.has("extensions") && reference["extensions"].has("KHR_texture_transform"))
-            warn(mesh, 5323, document_.source().whole(), reference.path() + ": KHR_texture_transform is ignored");
+        // One set of coordinates is drawn with: the colour map's (read_gltf.cpp).
+        const Json& base = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"].json();
+        if (reference["extensions"]["KHR_texture_transform"].json() != base)
+            warn(mesh, 5323, document_.source().whole(),
+                 reference.path() + ": its KHR_texture_transform is not the colour map's, and is ignored");
         return addTexture(role, *index, reference, mesh);
     };
     const GltfValue surface = material["pbrMetallicRoughness"];

@@ -48,7 +48,24 @@ private:
             stack.pop_back();
             if (auto error = visitNode(visit, stack)) return error;
         }
+        if (!anyNodeDraws() && root["meshes"].size() > 0) drawWithoutNodes(unit);
         return std::nullopt;
+    }
+
+    [[nodiscard]] bool anyNodeDraws() const {
+        const GltfValue nodes = document_.root()["nodes"];
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (nodes[i].has("mesh")) return true;
+        return false;
+    }
+
+    /// A library of meshes: the specification lets them stand without a node, and nothing says where.
+    void drawWithoutNodes(const glm::dmat4& unit) {
+        const std::size_t count = document_.root()["meshes"].size();
+        warn(mesh_, 5323, source_.whole(),
+             fmt::format("no node of the scene refers to the file's {} meshes: all are read, where they are", count));
+        for (std::size_t i = 0; i < count; ++i)
+            draws_.push_back({.mesh = i, .nodeName = {}, .carrier = GltfCarrier(unit)});
     }
 
     /// In reverse, so that the stack gives them back in the file's order.

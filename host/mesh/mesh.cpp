@@ -8,6 +8,7 @@
 #include "host/mesh/normals.h"
 #include "host/mesh/triangles.h"
 #include "host/mesh/welding.h"
+#include "host/support/disjoint_sets.h"
 
 #include <fmt/format.h>
 
@@ -61,14 +62,38 @@ void finishFrames(Mesh& mesh, const Source& source) {
     if (mesh.tangents.empty() && !mesh.uvs.empty()) computeTangents(mesh);
 }
 
+/// A chart that lies in one other tile of a texture that repeats lies there in the unit square: light is kept for that alone. A chart of
+/// several tiles stays.
+void shiftTiles(Mesh& mesh) {
+    constexpr float kBeside = 1e-4F; // of rounding
+    const auto inSquare = [](const glm::vec2& uv) { return uv.x >= 0 && uv.y >= 0 && uv.x <= 1 && uv.y <= 1; };
+    if (std::ranges::all_of(mesh.uvs, inSquare)) return;
+    DisjointSets charts(mesh.uvs.size());
+    for (const MeshPart& part : mesh.parts)
+        for (std::size_t i = part.firstIndex; i < std::size_t{part.firstIndex} + part.indexCount && !part.expanded; i += 3)
+            for (const std::size_t next : {1U, 2U})
+                charts.join(mesh.indices[i], mesh.indices[i + next]);
+    std::vector<glm::vec2> low(mesh.uvs.size(), glm::vec2(INFINITY)), high(mesh.uvs.size(), glm::vec2(-INFINITY));
+    for (std::uint32_t v = 0; v < mesh.uvs.size(); ++v) {
+        const std::uint32_t chart = charts.find(v);
+        low[chart] = glm::min(low[chart], mesh.uvs[v]);
+        high[chart] = glm::max(high[chart], mesh.uvs[v]);
+    }
+    for (std::uint32_t v = 0; v < mesh.uvs.size(); ++v) {
+        const std::uint32_t chart = charts.find(v);
+        const glm::vec2 tile = glm::floor(low[chart] + kBeside);
+        const glm::vec2 end = tile + 1.0F + kBeside;
+        if (tile != glm::vec2(0) && high[chart].x <= end.x && high[chart].y <= end.y && (low[chart] != high[chart])) mesh.uvs[v] -= tile;
+    }
+}
+
 std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOptions& options) {
     if (mesh.uvs.empty()) {
         if (!options.requireUvs) return std::nullopt;
         return inputError(5308, source.whole(), "the mesh has no texture coordinates",
                           "unwrap it before export: skin is lit in texture space");
     }
-    if (!std::ranges::all_of(mesh.uvs, [](const glm::vec2& uv) { return std::isfinite(uv.x) && std::isfinite(uv.y); }))
-        return meshfile::notFinite(source.whole(), "a texture coordinate is not finite");
+    shiftTiles(mesh);
     const UvReport report = examineUvs(mesh);
     if (report.overlapping > options.overlapWarning)
         meshfile::warn(
@@ -162,12 +187,29 @@ void markExpandedParts(Mesh& mesh) {
     }
 }
 
+namespace {
+
+/// A mesh without a unit: an exporter has made its longest side 1 or 2; or it has a head's proportions, which metres would make larger
+/// than any head. A person who stands is less than half as deep as high.
+bool isNormalised(const Bounds& bounds, double unitMm) {
+    constexpr double kExact = 1e-4;
+    constexpr double kCompact = 0.5;
+    const glm::dvec3 size = (glm::dvec3(bounds.maximum) - glm::dvec3(bounds.minimum)) / unitMm;
+    const double longest = std::max({size.x, size.y, size.z});
+    const double shortest = std::min({size.x, size.y, size.z});
+    if (std::abs(longest - 1) < kExact || std::abs(longest - 2) < kExact) return true;
+    return longest * 1000 > kMostHead && longest <= 3 && shortest >= kCompact * longest;
+}
+
+} // namespace
+
 std::optional<double> likelyUnit(const Bounds& bounds, double unitMm) {
     constexpr double kLeast = 10; // mm: a bead
     constexpr double kMost = 20'000;
     const double side = greatestSide(bounds);
     if (!(side > 0) || (side >= kLeast && side <= kMost)) return std::nullopt;
     const double inFile = side / unitMm;
+    if (isNormalised(bounds, unitMm)) return unitOfHead(inFile);
     if (inFile >= 0.1 && inFile <= 3) return 1000; // metres: what people scan, people among them
     if (inFile > 3 && inFile < kLeast) return 10;  // centimetres
     return unitOfHead(inFile);                     // nobody's unit: as large as a head

@@ -128,6 +128,7 @@ struct UvReport {
     double outside = 0;
     double covered = 0; // of the unit square
 };
-[[nodiscard]] UvReport examineUvs(const Mesh& mesh);
+/// `texels`: along each side of the map on which overlap is counted.
+[[nodiscard]] UvReport examineUvs(const Mesh& mesh, int texels = 1024);
 
 } // namespace tegument

@@ -73,8 +73,25 @@ glm::vec4 linearColor(const glm::dvec4& encoded) {
     return {linear(encoded.r), linear(encoded.g), linear(encoded.b), static_cast<float>(std::clamp(encoded.a, 0.0, 1.0))};
 }
 
+namespace {
+
+/// As older C libraries of Windows print what is no number: "1.#QNAN", "-1.#IND00", "1.#INF".
+std::optional<double> namedNumber(std::string_view word) {
+    const double sign = word.starts_with('-') ? -1 : 1;
+    if (word.starts_with('-')) word.remove_prefix(1);
+    if (!word.starts_with("1.#")) return std::nullopt;
+    if (word.starts_with("1.#INF")) return sign * INFINITY;
+    return NAN;
+}
+
+} // namespace
+
 bool parseReal(std::string_view word, double& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
+    if (const auto named = namedNumber(word)) {
+        value = *named;
+        return true;
+    }
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
     if (word.empty() || parsed.ptr != word.data() + word.size()) return false;
     if (parsed.ec == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr); // infinity or next to 0

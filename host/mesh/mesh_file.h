@@ -46,6 +46,8 @@ inline constexpr int kOutside = 1014;
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
 /// That picture as the mesh's colour map; TG5328, a warning, where it cannot be read.
 void useColourMap(const Source& source, const std::filesystem::path& picture, Mesh& mesh);
+/// Several pictures side by side as one, all as large as the largest. One that cannot be read is white, with a warning (TG5328).
+void useColourSheet(const Source& source, const std::vector<std::string>& pictures, Mesh& mesh);
 /// The picture as a material of all parts, as glTF has it.
 void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh);
 /// The same materials as glTF has them, with their pictures; `names`: of each part's material. What glTF cannot say is one warning

@@ -41,7 +41,13 @@ public:
         std::string_view left = withoutMark(source_.bytes);
         while (!left.empty() && !error_)
             readStatement(takeLine(left));
+        takePaint();
         if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), glm::vec4(1));
+        for (ObjCorner& corner : file_.corners) {
+            if (corner.normal == ObjCorner::kNone || corner.normal < file_.normals.size()) continue;
+            corner.normal = ObjCorner::kNone;
+            ++file_.absentNormals;
+        }
         if (!source_.dropBadFaces) checkCorners();
         if (error_) return *error_;
         return std::move(file_);
@@ -66,8 +72,9 @@ private:
     }
 
     void readStatement(std::string_view line) {
+        if (line.starts_with("#MRGB ")) readPaint(trim(line.substr(6)));
         if (const std::size_t comment = line.find('#'); comment != std::string_view::npos) line = line.substr(0, comment);
-        const std::string_view keyword = nextWord(line);
+        const std::string keyword = toLower(nextWord(line)); // some programs write capitals
         if (keyword.empty() || isIgnored(keyword)) return;
         if (keyword == "v")
             readPosition(line);
@@ -75,7 +82,7 @@ private:
             readUv(line);
         else if (keyword == "vn")
             readNormal(line);
-        else if (keyword == "f")
+        else if (keyword == "f" || keyword == "fo") // the latter is the name of before 1995
             readFace(line);
         else if (keyword == "o" || keyword == "g")
             startGroup(keyword, trim(line));
@@ -84,7 +91,7 @@ private:
         else if (keyword == "mtllib")
             file_.libraries.emplace_back(trim(line));
         else
-            file_.otherStatements.emplace(std::string(keyword.substr(0, 40)), line_);
+            file_.otherStatements.emplace(keyword.substr(0, 40), line_);
         if (file_.positions.size() > kMaxVertices || indexCount_ > kMaxIndices) fail(tooLarge(here()));
     }
 
@@ -103,7 +110,13 @@ private:
     }
 
     void readPosition(std::string_view line) {
-        const auto [x, y, z] = numbers<3>(line, 3, &line);
+        auto [x, y, z] = numbers<3>(line, 3, &line);
+        if (const double w = weightIn(line); w != 1) {
+            if (w == 0) fail(malformed(here(), "the weight w of the vertex is 0: it lies nowhere"));
+            x /= w;
+            y /= w;
+            z /= w;
+        }
         const glm::vec3 position = scaled({x, y, z}, source_.unitMm);
         if (!source_.keepNotFinite && !isFinite(position)) fail(notFinite(here(), "a coordinate is not finite"));
         file_.positions.push_back(position);
@@ -111,7 +124,32 @@ private:
         if (!trim(line).empty()) readColor(line);
     }
 
-    /// Three more numbers behind a position are its colour, as MeshLab and ZBrush write it; a single one is a weight.
+    /// A single number behind a position is its weight w, by which x, y and z are divided.
+    static double weightIn(std::string_view line) {
+        double w = 1;
+        const std::string_view word = nextWord(line);
+        return !word.empty() && trim(line).empty() && parseReal(word, w) && std::isfinite(w) ? w : 1;
+    }
+
+    /// Colours of ZBrush, in comments: "#MRGB mmrrggbb..." in hexadecimal, of one vertex after the other.
+    void readPaint(std::string_view digits) {
+        for (; digits.size() >= 8; digits.remove_prefix(8)) {
+            std::uint32_t value = 0;
+            const auto parsed = std::from_chars(digits.data(), digits.data() + 8, value, 16);
+            if (parsed.ec != std::errc() || parsed.ptr != digits.data() + 8) return;
+            paint_.push_back(linearColor(glm::dvec4(value >> 16 & 255U, value >> 8 & 255U, value & 255U, 255) / 255.0));
+        }
+    }
+
+    void takePaint() {
+        if (paint_.empty() || !file_.colors.empty()) return;
+        if (paint_.size() == file_.positions.size())
+            file_.colors = std::move(paint_);
+        else
+            file_.otherStatements.emplace("#MRGB", 0);
+    }
+
+    /// Three more numbers behind a position are its colour, as MeshLab writes it.
     void readColor(std::string_view line) {
         glm::dvec4 color(1);
         for (glm::length_t i = 0; i < 3; ++i) {
@@ -147,10 +185,17 @@ private:
             std::int64_t index = 0;
             if (!parseWhole(text, index) || (field == 2 && !left.empty()))
                 fail(malformed(here(), fmt::format("'{}' is not a face corner", word.substr(0, 40))));
-            else
+            else if (field < 2 || !isAbsentNormal(index))
                 usable &= setIndex(*fields[field].first, index, fields[field].second, word);
         }
         return usable ? std::optional(corner) : std::nullopt;
+    }
+
+    /// Normals can be made anew, so a corner that names one before the first does without.
+    bool isAbsentNormal(std::int64_t index) {
+        const bool absent = index == 0 || index < -static_cast<std::int64_t>(file_.normals.size());
+        file_.absentNormals += absent;
+        return absent;
     }
 
     bool setIndex(std::uint32_t& target, std::int64_t index, std::size_t soFar, std::string_view word) {
@@ -202,7 +247,6 @@ private:
             for (const ObjCorner& corner : file_.cornersOf(face)) {
                 check(face, corner.position, file_.positions.size(), "vertex");
                 check(face, corner.uv, file_.uvs.size(), "texture coordinate");
-                check(face, corner.normal, file_.normals.size(), "normal");
             }
     }
 
@@ -218,6 +262,7 @@ private:
 
     const Source& source_;
     std::string object_, group_, material_, joined_;
+    std::vector<glm::vec4> paint_;
     bool sectionIsOpen_ = false;
     std::size_t indexCount_ = 0; // of the triangles that the faces will be
     int line_ = 0;

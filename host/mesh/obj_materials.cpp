@@ -58,18 +58,51 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
     if (!used.empty()) useColourMap(source, used, mesh);
 }
 
-void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
-    const auto bytes = readNamed(source, used);
-    auto image = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), used.string()) : Result<Image>(bytes.error());
-    if (image) {
-        mesh.textures.push_back({.role = "color", .image = std::move(*image)});
-        return;
-    }
+namespace {
+
+std::optional<Image> colourMap(const Source& source, const fs::path& file, Mesh& mesh) {
+    const auto bytes = readNamed(source, file);
+    auto image = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), file.string()) : Result<Image>(bytes.error());
+    if (image) return std::move(*image);
     const Diagnostic& why = image.error().diagnostics.front();
     warn(mesh, 5328, source.whole(),
-         fmt::format("its colour map '{}' {}: {}", used.filename().string(), why.code == kOutside ? "is left out" : "is not there",
+         fmt::format("its colour map '{}' {}: {}", file.filename().string(), why.code == kOutside ? "is left out" : "is not there",
                      why.text),
          hintFor(image.error(), "put the pictures of a mesh beside it, or give one: --set gSkinMap=FILE"));
+    return std::nullopt;
+}
+
+} // namespace
+
+void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
+    if (auto image = colourMap(source, used, mesh)) mesh.textures.push_back({.role = "color", .image = std::move(*image)});
+}
+
+void useColourSheet(const Source& source, const std::vector<std::string>& pictures, Mesh& mesh) {
+    std::vector<std::optional<Image>> images;
+    Image sheet{.width = 1, .height = 1, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    for (const std::string& picture : pictures) {
+        images.push_back(colourMap(source, objFileIn(source.path.parent_path(), picture), mesh));
+        if (!images.back()) continue;
+        sheet.width = std::max(sheet.width, images.back()->width);
+        sheet.height = std::max(sheet.height, images.back()->height);
+        sheet.bitsPerChannel = std::max(sheet.bitsPerChannel, images.back()->bitsPerChannel);
+    }
+    const int each = sheet.width;
+    sheet.width *= static_cast<int>(pictures.size());
+    sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 4, 1.0F);
+    for (std::size_t i = 0; i < images.size(); ++i)
+        for (int y = 0; images[i] && y < sheet.height; ++y)
+            for (int x = 0; x < each; ++x)
+                for (int c = 0; c < 4; ++c) {
+                    const Image& from = *images[i];
+                    const int channel = from.channels < 3 ? (c == 3 ? from.channels - 1 : 0) : c; // grey, grey and alpha
+                    const bool absent = c == 3 && from.channels % 2 == 1;
+                    if (!absent)
+                        sheet.at(static_cast<int>(i) * each + x, y, c) =
+                            from.at(x * from.width / each, y * from.height / sheet.height, channel);
+                }
+    mesh.textures.push_back({.role = "color", .image = std::move(sheet)});
 }
 
 } // namespace tegument::meshfile

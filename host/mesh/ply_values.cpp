@@ -39,6 +39,16 @@ double decode(const std::array<char, 8>& raw, PlyType type) {
 
 } // namespace
 
+PlyValues::PlyValues(const Source& source, const PlyHeader& header)
+    : source_(source), format_(header.format), offset_(header.size), line_(header.lines + 1) {
+    if (format_ != PlyFormat::Ascii) return;
+    double items = 0;
+    for (const PlyElement& element : header.elements)
+        items += static_cast<double>(element.count);
+    const std::string_view data = source.bytes.substr(std::min(offset_, source.bytes.size()));
+    rowsAreLines_ = static_cast<double>(std::ranges::count(data, '\n')) + 1 >= items;
+}
+
 SourcePosition PlyValues::at() const {
     return format_ == PlyFormat::Ascii ? source_.atLine(line_) : source_.atByte(std::min(offset_, source_.bytes.size()));
 }
@@ -73,6 +83,19 @@ void PlyValues::nextRow(const PlyElement& element, std::vector<double>& row) {
         else
             row[i] = next(property.type);
     }
+    if (rowsAreLines_ && !error_) checkRow(element);
+}
+
+/// A row that goes on would become the next item's numbers.
+void PlyValues::checkRow(const PlyElement& element) {
+    const std::string_view bytes = source_.bytes;
+    const std::size_t next = bytes.find_first_not_of(" \t\r", offset_);
+    if (next == std::string_view::npos || bytes[next] == '\n') return;
+    const std::size_t end = std::min(bytes.find('\n', next), bytes.size());
+    fail(malformed(at(),
+                   fmt::format("the row has more values than the {} that the header declares for '{}': '{}'", element.properties.size(),
+                               element.name, bytes.substr(next, std::min<std::size_t>(end - next, 40))),
+                   "declare a property for each value, or export the mesh again"));
 }
 
 void PlyValues::skip(const PlyElement& element) {

@@ -8,8 +8,7 @@ namespace tegument::meshfile {
 /// The first error is kept; after it every value is 0.
 class PlyValues {
 public:
-    PlyValues(const Source& source, const PlyHeader& header)
-        : source_(source), format_(header.format), offset_(header.size), line_(header.lines + 1) {}
+    PlyValues(const Source& source, const PlyHeader& header);
 
     double next(PlyType type) {
         if (error_) return 0;
@@ -35,6 +34,7 @@ public:
 private:
     double nextText(PlyType type);
     double nextBinary(PlyType type);
+    void checkRow(const PlyElement& element);
     /// The slow way, which also says what is wrong.
     double parseWord(std::size_t end, bool wholeWanted);
 
@@ -42,6 +42,7 @@ private:
     PlyFormat format_;
     std::size_t offset_;
     int line_;
+    bool rowsAreLines_ = false; // of a text: each item has a line of its own
     std::optional<Error> error_;
 };
 

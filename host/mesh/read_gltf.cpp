@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <span>
 
 namespace tegument::meshfile {
 
@@ -21,6 +23,44 @@ struct Attributes {
     std::size_t colorComponents = 4;
     std::vector<MeshAttribute> others;
 };
+
+/// How the colour map of a primitive's material reads its texture coordinates: another set than the first, KHR_texture_transform.
+struct UvUse {
+    std::string set = "TEXCOORD_0";
+    glm::dvec2 offset{0};
+    glm::dvec2 scale{1};
+    double rotation = 0;
+
+    [[nodiscard]] glm::vec2 operator()(const glm::dvec2& uv) const {
+        const glm::dvec2 p = scale * uv;
+        const double c = std::cos(rotation), s = std::sin(rotation); // counter-clockwise where v is down
+        return offset + glm::dvec2(c * p.x + s * p.y, c * p.y - s * p.x);
+    }
+};
+
+Result<UvUse> uvUseOf(const GltfDocument& document, const GltfValue& primitive) {
+    UvUse use;
+    const GltfValue materials = document.root()["materials"];
+    const auto material = primitive.whole("material", materials.size(), SIZE_MAX);
+    if (!material || *material >= materials.size()) return use; // an error is found when the part is read
+    const GltfValue surface = materials[*material]["pbrMetallicRoughness"];
+    if (!surface.has("baseColorTexture")) return use;
+    const GltfValue texture = surface["baseColorTexture"];
+    const GltfValue transform = texture["extensions"]["KHR_texture_transform"];
+    const auto own = texture.whole("texCoord", 64, 0);
+    if (!own) return own.error();
+    const auto set = transform.whole("texCoord", 64, *own);
+    if (!set) return set.error();
+    const auto offset = transform.numbers("offset", 2, {0, 0});
+    if (!offset) return offset.error();
+    const auto scale = transform.numbers("scale", 2, {1, 1});
+    if (!scale) return scale.error();
+    if (const std::string name = fmt::format("TEXCOORD_{}", *set); primitive["attributes"].has(name.c_str())) use.set = name;
+    use.offset = {(*offset)[0], (*offset)[1]};
+    use.scale = {(*scale)[0], (*scale)[1]};
+    if (transform.has("rotation") && transform.json()["rotation"].is_number()) use.rotation = transform.json()["rotation"].get<double>();
+    return use;
+}
 
 /// "TEXCOORD_1" and "COLOR_1" are kept under these names, "_name" without its underscore. Empty for what is read apart or not kept.
 std::string nameToKeep(const std::string& name) {
@@ -83,10 +123,15 @@ private:
         const auto vertices = vertexRange(primitive, carrier);
         if (!vertices) return vertices.error();
         const bool packed = isDraco(primitive);
-        auto corners = packed ? packedCorners(primitive) : readCorners(primitive, vertices->count);
+        const std::uint32_t restart = packed || *mode == 4 ? kNoRestart : restartOf(primitive);
+        auto corners = packed ? packedCorners(primitive) : readCorners(primitive, vertices->count, restart);
         if (!corners) return corners.error();
         const auto first = static_cast<std::uint32_t>(mesh_.indices.size());
-        addTriangles(*corners, packed ? 4 : *mode, *vertices, carrier.mirrors);
+        for (auto from = corners->begin(); from != corners->end();) {
+            const auto to = restart == kNoRestart ? corners->end() : std::find(from, corners->end(), restart);
+            addTriangles(std::span(from, to), packed ? 4 : *mode, *vertices, carrier.mirrors);
+            from = to == corners->end() ? to : to + 1;
+        }
         if (mesh_.indices.size() > kMaxIndices) return tooLarge(source_.whole());
         return addPart(primitive, meshName, first);
     }
@@ -100,9 +145,17 @@ private:
     Result<VertexRange> vertexRange(const GltfValue& primitive, const GltfCarrier& carrier) {
         std::string key = primitive["attributes"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
         if (isDraco(primitive)) key += primitive["extensions"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
+        const auto uses = source_.carryMaterials ? Result<UvUse>(UvUse()) : uvUseOf(document_, primitive);
+        if (!uses) return uses.error();
+        key += fmt::format("{} {} {} {} {} {}", uses->set, uses->offset.x, uses->offset.y, uses->scale.x, uses->scale.y, uses->rotation);
         if (const auto known = vertexBase_.find(key); known != vertexBase_.end()) return known->second;
-        const auto attributes = readAttributes(primitive);
+        auto attributes = readAttributes(primitive, uses->set.c_str());
         if (!attributes) return attributes.error();
+        for (std::size_t i = 0; i + 1 < attributes->uvs.size() && !source_.carryMaterials; i += 2) {
+            const glm::vec2 uv = (*uses)({attributes->uvs[i], attributes->uvs[i + 1]});
+            attributes->uvs[i] = uv.x;
+            attributes->uvs[i + 1] = uv.y;
+        }
         const VertexRange range{.base = mesh_.positions.size(), .count = attributes->positions.size() / 3};
         if (range.base + range.count > kMaxVertices) return tooLarge(source_.whole());
         if (auto error = addVertices(*attributes, carrier, primitive)) return *error;
@@ -147,14 +200,14 @@ private:
         return DracoMesh::Values{.components = own, .numbers = std::move(*numbers)};
     }
 
-    Result<Attributes> readAttributes(const GltfValue& primitive) {
+    Result<Attributes> readAttributes(const GltfValue& primitive, const char* uvs) {
         const GltfValue list = primitive["attributes"];
         if (!list.has("POSITION")) return primitive.wrong("has no POSITION");
         Attributes attributes;
         const std::array<std::tuple<const char*, std::size_t, std::vector<float>*>, 4> wanted = {{{"POSITION", 3, &attributes.positions},
                                                                                                   {"NORMAL", 3, &attributes.normals},
                                                                                                   {"TANGENT", 4, &attributes.tangents},
-                                                                                                  {"TEXCOORD_0", 2, &attributes.uvs}}};
+                                                                                                  {uvs, 2, &attributes.uvs}}};
         for (const auto& [name, components, values] : wanted) {
             if (!list.has(name)) continue;
             auto found = valuesOf(primitive, name, components);
@@ -260,8 +313,19 @@ private:
         mesh_.tangents.emplace_back(carrier.direction(carrier.linear, tangent), sign);
     }
 
-    /// The corners in drawing order, each below `vertices`.
-    Result<std::vector<std::uint32_t>> readCorners(const GltfValue& primitive, std::size_t vertices) const {
+    static constexpr std::uint32_t kNoRestart = 0; // what no strip begins anew by
+
+    /// The greatest index of its type begins a strip or fan anew (EXT_mesh_primitive_restart); no vertex may have it.
+    [[nodiscard]] std::uint32_t restartOf(const GltfValue& primitive) const {
+        const GltfValue accessors = document_.root()["accessors"];
+        const auto index = primitive.whole("indices", accessors.size(), {});
+        if (!index) return kNoRestart;
+        const auto type = accessors[*index].whole("componentType", 65536, 0);
+        return !type ? kNoRestart : *type == 5121 ? UINT8_MAX : *type == 5123 ? UINT16_MAX : UINT32_MAX;
+    }
+
+    /// The corners in drawing order, each below `vertices` or `restart`.
+    Result<std::vector<std::uint32_t>> readCorners(const GltfValue& primitive, std::size_t vertices, std::uint32_t restart) const {
         if (!primitive.has("indices")) {
             std::vector<std::uint32_t> corners(vertices);
             for (std::size_t i = 0; i < vertices; ++i)
@@ -272,14 +336,14 @@ private:
         if (!accessor) return accessor.error();
         auto corners = document_.indices(*accessor);
         if (!corners) return corners.error();
-        const auto wrong = std::ranges::find_if(*corners, [&](std::uint32_t index) { return index >= vertices; });
+        const auto wrong = std::ranges::find_if(*corners, [&](std::uint32_t index) { return index >= vertices && index != restart; });
         if (wrong == corners->end() || source_.dropBadFaces) return corners;
         return badIndex(source_.whole(),
                         fmt::format("{}: index {} is {} of {} vertices", primitive.path(), wrong - corners->begin(), *wrong, vertices));
     }
 
     /// Triangles, strips (every other triangle turned) and fans, as the specification's 3.7.2.1 numbers them.
-    void addTriangles(const std::vector<std::uint32_t>& corners, std::size_t mode, const VertexRange& vertices, bool flip) {
+    void addTriangles(std::span<const std::uint32_t> corners, std::size_t mode, const VertexRange& vertices, bool flip) {
         const std::size_t step = mode == 4 ? 3 : 1;
         for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
             std::array<std::size_t, 3> triangle = {i, i + 1, i + 2};

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 
 namespace tegument {
@@ -96,6 +97,51 @@ void dropNotFinite(ReadMesh& file) {
         if (!meshfile::isFinite(position)) position = glm::vec3(0);
 }
 
+/// Which vertices triangles use.
+std::vector<bool> usedVertices(const Mesh& mesh) {
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const std::uint32_t index : mesh.indices)
+        used[index] = true;
+    return used;
+}
+
+template <class Vector>
+bool allFinite(const Vector& v) {
+    for (glm::length_t i = 0; i < v.length(); ++i)
+        if (!std::isfinite(v[i])) return false;
+    return true;
+}
+
+/// Every stream besides positions leaves the readers here: finite, or as an error. Infinity and NaN become `instead`.
+template <class Vector>
+std::optional<Error> makeFinite(std::vector<Vector>& values, const Vector& instead, std::string_view what, const Source& source,
+                                Mesh& mesh) {
+    if (std::ranges::all_of(values, allFinite<Vector>)) return std::nullopt;
+    const std::vector<bool> used = usedVertices(mesh);
+    std::size_t mended = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (allFinite(values[i])) continue;
+        values[i] = instead;
+        mended += used[i];
+    }
+    if (mended == 0) return std::nullopt;
+    if (!source.keepNotFinite) return meshfile::notFinite(source.whole(), fmt::format("{} of {} vertices are not finite", what, mended));
+    meshfile::warn(mesh, 5335, source.whole(), fmt::format("{} of {} vertices are not finite: {:g} is taken", what, mended, instead[0]));
+    return std::nullopt;
+}
+
+/// Normals and tangents are made anew where some are not finite; what is missing is found later.
+std::optional<Error> makeStreamsFinite(Mesh& mesh, const Source& source) {
+    if (auto error = makeFinite(mesh.uvs, glm::vec2(0), "texture coordinates", source, mesh)) return error;
+    if (auto error = makeFinite(mesh.colors, glm::vec4(1), "colours", source, mesh)) return error;
+    if (!std::ranges::all_of(mesh.tangents, allFinite<glm::vec4>)) mesh.tangents.clear();
+    if (std::ranges::all_of(mesh.normals, allFinite<glm::vec3>)) return std::nullopt;
+    meshfile::warn(mesh, 5324, source.whole(), "some normals of the file are not finite: all are made anew");
+    mesh.normals.clear();
+    mesh.tangents.clear();
+    return std::nullopt;
+}
+
 /// Old Macintosh programs end lines with a carriage return alone: a text that knows no other becomes one of lines. Of a binary PLY only the
 /// header is text.
 void mendLines(std::string& bytes, const MeshFormat* format) {
@@ -154,6 +200,7 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
     if (guessed) file->mesh.warnings.push_back(std::move(*guessed));
     if (file->mesh.name.empty()) file->mesh.name = path.stem().string();
     if (options.dropNotFinite) dropNotFinite(*file);
+    if (auto error = makeStreamsFinite(file->mesh, source)) return *error;
     return file;
 }
 

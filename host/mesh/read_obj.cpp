@@ -119,6 +119,9 @@ private:
     void addWarnings() {
         for (const auto& [keyword, line] : file_.otherStatements)
             warn(mesh(), 5323, source_.atLine(line), fmt::format("the OBJ statement '{}' is ignored", keyword));
+        if (file_.absentNormals > 0)
+            warn(mesh(), 5324, source_.whole(),
+                 fmt::format("{} corners name normals that the file has not: all are made anew", file_.absentNormals));
         if (!mesh().uvs.empty() && withoutUv_ > 0)
             warn(mesh(), 5325, source_.whole(),
                  fmt::format("{} of {} vertices have no texture coordinates: (0, 0) is used", withoutUv_, mesh().positions.size()));

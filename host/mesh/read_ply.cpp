@@ -97,6 +97,9 @@ private:
 
     void addPicture() {
         if (header_.pictures.empty()) return;
+        if (sheet_ && otherPictures_) return useColourSheet(source_, header_.pictures, mesh());
+        for (glm::vec2& uv : mesh().uvs)
+            if (sheet_) uv.x *= static_cast<float>(header_.pictures.size());
         if (header_.pictures.size() > 1)
             warn(mesh(), 5326, source_.whole(),
                  fmt::format("'{}' and {} more pictures are ignored: one mesh carries one", header_.pictures[1].substr(0, 80),
@@ -180,6 +183,9 @@ private:
                  "give it to the vertices to keep it");
         std::vector<std::uint32_t> corners;
         std::vector<double> numbers; // u and v of each corner
+        const auto picture = element.find({"texnumber"});
+        sheet_ = sheet_ || (uvs && picture && header_.pictures.size() > 1 && !source_.carryMaterials);
+        double number = 0;
         for (std::uint64_t face = 0; face < element.count && !values_.error(); ++face) {
             bool usable = true;
             for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -190,10 +196,16 @@ private:
                     readNumbers(property, numbers);
                 else if (property.listCount)
                     values_.skipList(property);
-                else
-                    values_.next(property.type);
+                else if (const double value = values_.next(property.type); i == picture) {
+                    number = value;
+                    otherPictures_ = otherPictures_ || number != 0;
+                }
             }
             if (!usable || values_.error()) continue;
+            for (std::size_t i = 0; sheet_ && i < numbers.size(); i += 2) {
+                const auto pictures = static_cast<double>(header_.pictures.size());
+                numbers[i] = (numbers[i] + std::clamp(number, 0.0, pictures - 1)) / pictures;
+            }
             if (uvs) splitAtSeams(corners, numbers);
             addFace(corners, face);
         }
@@ -350,6 +362,8 @@ private:
     Polygons polygons_;
     std::vector<std::pair<std::size_t, std::uint64_t>> lastIndexOfFace_; // (indices so far, face), when vertices follow the faces
     bool verticesRead_ = false;
+    bool sheet_ = false;         // pictures lie side by side, as faces name them by number,
+    bool otherPictures_ = false; // and not all name the first
     struct {
         std::vector<std::uint32_t> vertex; // of each: which of the file it is
         std::vector<std::uint8_t> taken;   // it has texture coordinates

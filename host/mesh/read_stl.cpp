@@ -93,17 +93,21 @@ public:
             const std::string word = toLower(words_.next());
             if (word == "facet")
                 readFacet();
-            else if (word == "endsolid" || word == "solid") // several bodies may follow each other
-                endBody(word == "endsolid");
+            else if (word == "endsolid" || word == "end" || word == "solid") // several bodies may follow each other; "end solid"
+                endBody(word != "solid");
             else if (word.empty())
                 break;
             else
                 words_.fail(malformed(words_.at(), fmt::format("'{}' where 'facet' or 'endsolid' is expected", word.substr(0, 40))));
         }
         if (words_.error()) return *words_.error();
-        if (!ended_) return truncated(source_.atByte(source_.bytes.size()), "endsolid is missing");
+        if (!ended_ && exact_.empty()) return truncated(source_.atByte(source_.bytes.size()), "endsolid is missing");
         std::vector<glm::vec3> positions(exact_.begin(), exact_.end());
-        return soup(std::move(positions), source_, std::move(exact_));
+        ReadMesh read = soup(std::move(positions), source_, std::move(exact_));
+        if (!ended_)
+            warn(read.mesh, 5323, source_.atByte(source_.bytes.size()),
+                 fmt::format("endsolid is missing behind {} facets: the file may have been longer", read.counts.faces));
+        return read;
     }
 
 private:
@@ -116,6 +120,17 @@ private:
             words_.fail(malformed(words_.at(), fmt::format("'{}' where '{}' is expected", word.substr(0, 40), wanted)));
     }
 
+    /// "endloop", or "end loop" as some programs write it.
+    void expectEnd(const std::string& of) {
+        if (words_.error()) return;
+        if (const std::string word = toLower(words_.next()); word == "end")
+            expect(of);
+        else if (word.empty())
+            words_.fail(truncated(source_.atByte(source_.bytes.size()), fmt::format("'end{}' is missing", of)));
+        else if (word != "end" + of)
+            words_.fail(malformed(words_.at(), fmt::format("'{}' where 'end{}' is expected", word.substr(0, 40), of)));
+    }
+
     void readFacet() {
         expect("normal");
         for (int i = 0; i < 3; ++i)
@@ -126,8 +141,8 @@ private:
             expect("vertex");
             exact_.push_back(words_.nextPosition("a coordinate"));
         }
-        expect("endloop");
-        expect("endfacet");
+        expectEnd("loop");
+        expectEnd("facet");
         if (exact_.size() > kMaxVertices) words_.fail(tooLarge(words_.at()));
     }
 

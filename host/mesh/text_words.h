@@ -51,6 +51,18 @@ public:
         return source_.bytes.substr(from, offset_ - from);
     }
 
+    /// Lines from here on that hold a word.
+    [[nodiscard]] std::size_t linesLeft() const {
+        std::size_t count = 0;
+        for (std::size_t from = offset_; from < source_.bytes.size();) {
+            const std::size_t end = std::min(source_.bytes.find('\n', from), source_.bytes.size());
+            const std::size_t word = source_.bytes.find_first_not_of(" \t\r\f\v", from);
+            count += word < end && source_.bytes[word] != comment_;
+            from = end + 1;
+        }
+        return count;
+    }
+
     void fail(Error error) {
         if (!error_) error_ = std::move(error);
     }

@@ -1,7 +1,7 @@
 // How much of the UV area overlaps or lies outside the unit square.
 //
 // Outside is exact: each triangle is clipped to the square (Sutherland and Hodgman, Reentrant polygon clipping, CACM 17(1), 1974) and the
-// areas compared. Overlap is counted on texel centres of a 1024 x 1024 map, as the hardware would cover them: coordinates are rounded to
+// areas compared. Overlap is counted on texel centres of a map, as the hardware would cover them: coordinates are rounded to
 // 1/65536 texel and the edge tests are exact integers with a rule for centres on an edge, so two triangles that share an edge never both
 // own a texel. Overlaps narrower than a texel can be missed; they cannot be stored in such a map either.
 
@@ -144,10 +144,9 @@ private:
 
 /// Fewer texels for a mesh whose triangles cover the square hundreds of times over, so that the time stays bounded; its overlap shows
 /// anyway.
-std::int64_t mapSize(double insideArea) {
-    constexpr double kFull = TEGUMENT_UV_TEXELS;
+std::int64_t mapSize(double insideArea, double full) {
     constexpr double kMostLayers = 64;
-    return static_cast<std::int64_t>(std::max(16.0, kFull * std::sqrt(std::min(1.0, kMostLayers / std::max(insideArea, 1.0)))));
+    return static_cast<std::int64_t>(std::max(16.0, full * std::sqrt(std::min(1.0, kMostLayers / std::max(insideArea, 1.0)))));
 }
 
 bool isExpanded(const Mesh& mesh, std::size_t index) {
@@ -158,7 +157,7 @@ bool isExpanded(const Mesh& mesh, std::size_t index) {
 
 } // namespace
 
-UvReport examineUvs(const Mesh& mesh) {
+UvReport examineUvs(const Mesh& mesh, int texels) {
     if (mesh.uvs.empty()) return {};
     double total = 0;
     double inside = 0;
@@ -171,7 +170,7 @@ UvReport examineUvs(const Mesh& mesh) {
         inside += std::abs(signedArea(kept));
         if (kept.size() >= 3) polygons.push_back(std::move(kept));
     }
-    CoverageMap map(mapSize(inside));
+    CoverageMap map(mapSize(inside, std::min(texels, TEGUMENT_UV_TEXELS)));
     for (const Polygon& polygon : polygons)
         for (std::size_t i = 2; i < polygon.size(); ++i)
             map.add(polygon[0], polygon[i - 1], polygon[i]);

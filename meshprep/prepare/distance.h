@@ -17,6 +17,13 @@ struct SurfaceDistance {
     double rms = 0;      // of corners and centroids of the first surface from the second; of many, a sample in equal steps
 };
 
+/// What is told of it: the bound, where it is near to what was reached. Where the surfaces lie nearly within one another it is not, and
+/// says nothing of them: then what was reached, whose error by sampling is the rest.
+[[nodiscard]] inline double told(const SurfaceDistance& distance) {
+    constexpr double kNearBound = 1.1;
+    return distance.greatest <= kNearBound * distance.reached ? distance.greatest : distance.reached;
+}
+
 /// Soon known, and seldom far from the truth. Where thousands of triangles cross one another it names no places.
 struct RoughDistance {
     struct Bridge {

@@ -372,7 +372,7 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
         last = size;
     }
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        levels[i].errorMm = made.errors[i].greatest;
+        levels[i].errorMm = told(made.errors[i]);
         result.levels.push_back({.mesh = std::move(levels[i]), .error = made.errors[i]});
     }
     return result;

@@ -69,8 +69,7 @@ private:
         report_.warnings = surface_.mesh.warnings;
         if (counts.faces == 0)
             return inputError(7021, {.file = path_.string(), .byte = {}}, fmt::format("{} vertices and no faces", counts.vertices),
-                              counts.vertices > 0 ? "a cloud of points must be made a surface first"
-                                                  : "the file holds no mesh: export it again");
+                              whyNoFaces(counts));
         reach_ = greatestCoordinate();
         end("read", counts.faces, fmt::format("{} vertices, {} faces", counts.vertices, counts.faces));
         if (options_.turnUp) {
@@ -82,6 +81,13 @@ private:
         noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
         noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);
         return std::nullopt;
+    }
+
+    /// Primitives of points or lines are left out with a warning.
+    [[nodiscard]] std::string whyNoFaces(const ReadCounts& counts) const {
+        for (const Diagnostic& warning : surface_.mesh.warnings)
+            if (warning.code == 5323 && counts.vertices == 0) return warning.text + ": a cloud of points must be made a surface first";
+        return counts.vertices > 0 ? "a cloud of points must be made a surface first" : "the file holds no mesh: export it again";
     }
 
     [[nodiscard]] ReadOptions reading() const {
@@ -139,16 +145,23 @@ private:
         begin("orient");
         const Oriented done = orient(surface_);
         if (done.doubles > 0) dropUnreferenced(surface_);
-        end("orient", done.turnedOver ? surface_.triangles() : done.turned + done.doubles,
+        const std::string over = done.turnedOver == surface_.triangles() ? "; then all of them, for the mesh was inside out"
+                                 : done.turnedOver > 0
+                                     ? fmt::format("; then {} of {} shells that were inside out", done.turnedOver, done.shells)
+                                     : "";
+        end("orient", std::max(done.turnedOver, done.turned + done.doubles),
             fmt::format("{}{} triangles turned to face as most of their component{}",
                         done.doubles > 0 ? fmt::format("{} triangles left out that were the other side of one; ", done.doubles) : "",
-                        done.turned, done.turnedOver ? "; then all of them, for the mesh was inside out" : ""));
+                        done.turned, over));
     }
 
     void warnOfFacing() {
         if (options_.orient) return;
         if (const auto fault = facingFault(examineFacing(surface_.mesh, surface_.point), path_.string()))
             report_.warnings.push_back(*fault);
+        else if (const std::size_t shells = shellsInsideOut(surface_); shells > 0)
+            warn(5332, fmt::format("{} closed shells of the mesh are inside out: their triangles face inwards", shells),
+                 "fur grows and light falls on their front only: tegument prep MESH --orient -o NEW.glb turns them");
     }
 
     [[nodiscard]] std::string whereTheyWent() const {
@@ -346,7 +359,9 @@ private:
         for (Level& level : made.levels) {
             const std::size_t triangles = level.mesh.indices.size() / 3;
             report_.levels.push_back({.triangles = triangles, .error = level.error});
-            text += fmt::format("; {} triangles, at most {:.4g} mm off, {:.4g} rms", triangles, level.error.greatest, level.error.rms);
+            const bool bound = told(level.error) == level.error.greatest;
+            text += fmt::format("; {} triangles, {} {:.4g} mm off, {:.4g} rms", triangles, bound ? "at most" : "as measured by samples",
+                                told(level.error), level.error.rms);
             glb_.levels.push_back(std::move(level.mesh));
         }
         if (!made.whyEarly.empty()) text += "; no more: " + made.whyEarly;
@@ -402,12 +417,12 @@ private:
         }
     }
 
-    void warn(int code, std::string text) {
+    void warn(int code, std::string text, std::string hint = {}) {
         report_.warnings.push_back({.severity = Severity::Warning,
                                     .code = code,
                                     .at = {.file = path_.string(), .byte = {}},
                                     .text = std::move(text),
-                                    .hint = {},
+                                    .hint = std::move(hint),
                                     .sourceLine = {}});
     }
 

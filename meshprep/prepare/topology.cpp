@@ -5,6 +5,7 @@
 #include "host/mesh/triangles.h"
 #include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
+#include "meshprep/prepare/shells.h"
 
 #include <numeric>
 
@@ -94,7 +95,12 @@ std::size_t dropDoubles(Surface& surface) {
     return keepTriangles(surface.mesh, [&](std::span<const std::uint32_t, 3>, std::size_t triangle) { return back[triangle] >= triangle; });
 }
 
-std::size_t orientByMajority(Surface& surface) {
+void turnOver(Mesh& mesh, std::uint32_t triangle) {
+    std::swap(mesh.indices[3 * std::size_t{triangle} + 1], mesh.indices[3 * std::size_t{triangle} + 2]);
+}
+
+/// Turns what differs from the majority of its component. The components: closed ones in `closed`, the others' triangles in `open`.
+std::size_t orientByMajority(Surface& surface, std::vector<std::vector<std::uint32_t>>& closed, std::vector<std::uint32_t>& open) {
     const Neighbours neighbours(surface);
     const std::size_t count = surface.triangles();
     std::vector<bool> seen(count, false);
@@ -107,11 +113,27 @@ std::size_t orientByMajority(Surface& surface) {
         const auto others = static_cast<std::size_t>(std::ranges::count_if(reached, [&](std::uint32_t t) { return turned[t]; }));
         const bool minority = 2 * others <= reached.size(); // of the triangles that differ from `start`
         for (const std::uint32_t t : reached)
-            if (turned[t] == minority)
-                std::swap(surface.mesh.indices[3 * std::size_t{t} + 1], surface.mesh.indices[3 * std::size_t{t} + 2]);
+            if (turned[t] == minority) turnOver(surface.mesh, t);
         changed += minority ? others : reached.size() - others;
+        const bool whole = std::ranges::none_of(reached, [&](std::uint32_t t) {
+            return neighbours.across[3 * t] == kNone || neighbours.across[3 * t + 1] == kNone || neighbours.across[3 * t + 2] == kNone;
+        });
+        if (whole)
+            closed.push_back(reached);
+        else
+            open.insert(open.end(), reached.begin(), reached.end());
     }
     return changed;
+}
+
+/// What is open is judged as one.
+bool facesInwards(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+    Mesh some;
+    some.positions = mesh.positions;
+    for (const std::uint32_t triangle : triangles)
+        some.indices.insert(some.indices.end(),
+                            {mesh.indices[3 * triangle], mesh.indices[3 * triangle + 1], mesh.indices[3 * triangle + 2]});
+    return outwardFacing(some) < 0;
 }
 
 } // namespace
@@ -153,12 +175,32 @@ Topology examine(const Surface& surface) {
     return topology;
 }
 
+std::size_t shellsInsideOut(Surface surface) {
+    std::vector<std::vector<std::uint32_t>> closed;
+    std::vector<std::uint32_t> open;
+    if (orientByMajority(surface, closed, open) > 0) return 0; // told by another warning
+    return static_cast<std::size_t>(std::ranges::count_if(shellsOf(surface, std::move(closed)), &Shell::insideOut));
+}
+
 Oriented orient(Surface& surface) {
     Oriented done{.doubles = dropDoubles(surface)};
-    done.turned = orientByMajority(surface);
-    done.turnedOver = outwardFacing(surface.mesh) < 0;
-    for (std::size_t i = 0; done.turnedOver && i < surface.mesh.indices.size(); i += 3)
-        std::swap(surface.mesh.indices[i + 1], surface.mesh.indices[i + 2]);
+    std::vector<std::vector<std::uint32_t>> closed;
+    std::vector<std::uint32_t> open;
+    done.turned = orientByMajority(surface, closed, open);
+    std::size_t over = 0;
+    for (const Shell& shell : shellsOf(surface, std::move(closed))) {
+        if (!shell.insideOut()) continue;
+        ++done.shells;
+        over += shell.triangles.size();
+        for (const std::uint32_t triangle : shell.triangles)
+            turnOver(surface.mesh, triangle);
+    }
+    if (!open.empty() && facesInwards(surface.mesh, open)) {
+        over += open.size();
+        for (const std::uint32_t triangle : open)
+            turnOver(surface.mesh, triangle);
+    }
+    done.turnedOver = over;
     return done;
 }
 

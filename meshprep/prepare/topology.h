@@ -23,13 +23,17 @@ struct Topology {
 [[nodiscard]] Topology examine(const Surface& surface);
 
 struct Oriented {
-    std::size_t turned = 0;  // triangles that were seen from the other side than most of their component
-    std::size_t doubles = 0; // left out: of triangles back to back one, where most of the mesh is so
-    bool turnedOver = false; // all of them faced inwards
+    std::size_t turned = 0;     // triangles that were seen from the other side than most of their component
+    std::size_t doubles = 0;    // left out: of triangles back to back one, where most of the mesh is so
+    std::size_t turnedOver = 0; // then, of shells and open parts that faced inwards
+    std::size_t shells = 0;     // so many of these are closed
 };
 
-/// Makes the triangles face outwards: those that differ from their component's majority are turned, and then, where the mesh is inside
-/// out, all of them.
+/// Makes the triangles face outwards: those that differ from their component's majority are turned, then each closed shell that is inside
+/// out (shells.h), and what is open, as one, where it faces inwards.
 Oriented orient(Surface& surface);
+
+/// How many closed shells are inside out, where neighbours agree on their sides.
+[[nodiscard]] std::size_t shellsInsideOut(Surface surface);
 
 } // namespace tegument::prep

@@ -2,73 +2,74 @@
 
 #include "host/mesh/materials.h"
 #include "host/mesh/triangles.h"
+#include "host/support/parallel.h"
+#include "meshprep/prepare/charts.h"
 
 #include <fmt/format.h>
-#include <xatlas.h>
 
 #include <algorithm>
 #include <map>
-#include <memory>
 
 namespace tegument::prep {
 
 namespace {
 
-using Atlas = std::unique_ptr<xatlas::Atlas, decltype(&xatlas::Destroy)>;
+/// xatlas's time grows with the square of a chart's triangles, so what is connected is cut into pieces of no more.
+constexpr std::size_t kMostTriangles = 4096;
+constexpr double kMostOfAll = 1e-3; // what loadMesh warns of
 
-/// Maps of light are 1024 texels wide by default; a blurred texel of one chart must not be read by another.
-constexpr std::uint32_t kTexels = 1024;
-constexpr std::uint32_t kGutter = 4;
-/// Diffusion ends at the border of a chart, so few large charts are better than many without stretch, which the Stretch map takes care of.
-constexpr float kMostCost = 16;
-constexpr std::uint32_t kRounds = 1; // more take longer and leave as many
-
-/// Triangles of different parts are never in one chart.
-std::vector<std::uint32_t> partOfFace(const Mesh& mesh) {
-    std::vector<std::uint32_t> part(mesh.indices.size() / 3, 0);
-    for (std::uint32_t i = 0; i < mesh.parts.size(); ++i)
-        std::fill_n(part.begin() + mesh.parts[i].firstIndex / 3, mesh.parts[i].indexCount / 3, i);
-    return part;
-}
-
-/// Every place once: vertices that differ only in their normals do not cut a chart.
-std::optional<Error> addMesh(xatlas::Atlas& atlas, const Surface& surface) {
-    std::vector<glm::vec3> places(surface.pointCount);
-    std::vector<std::uint32_t> corners;
-    for (std::size_t corner = 0; corner < surface.mesh.indices.size(); ++corner) {
-        const std::uint32_t place = surface.pointAt(corner);
-        places[place] = surface.mesh.positions[surface.mesh.indices[corner]];
-        corners.push_back(place);
+/// Charts of a piece that lie flat: xatlas's, or where these do not, ones of bounded turn.
+std::vector<Chart> chartsOf(const Triangles& triangles, const Faces& piece) {
+    std::vector<Chart> charts;
+    std::vector<bool> placed(piece.size(), false);
+    std::vector<std::pair<std::uint32_t, std::size_t>> number(piece.size());
+    for (std::size_t i = 0; i < piece.size(); ++i)
+        number[i] = {piece[i], i};
+    std::ranges::sort(number);
+    for (Chart& chart : xatlasCharts(triangles, piece)) {
+        if (!liesFlat(triangles, chart)) continue;
+        for (const std::uint32_t face : chart.faces)
+            placed[std::ranges::lower_bound(number, face, {}, &std::pair<std::uint32_t, std::size_t>::first)->second] = true;
+        charts.push_back(std::move(chart));
     }
-    const std::vector<std::uint32_t> parts = partOfFace(surface.mesh);
-    xatlas::MeshDecl decl;
-    decl.vertexPositionData = places.data();
-    decl.vertexPositionStride = sizeof(glm::vec3);
-    decl.vertexCount = surface.pointCount;
-    decl.indexData = corners.data();
-    decl.indexCount = static_cast<std::uint32_t>(corners.size());
-    decl.indexFormat = xatlas::IndexFormat::UInt32;
-    decl.faceMaterialData = parts.data();
-    const xatlas::AddMeshError error = xatlas::AddMesh(&atlas, decl, 1);
-    if (error == xatlas::AddMeshError::Success) return std::nullopt;
-    return inputError(7028, {}, fmt::format("the mesh cannot be unwrapped: {}", xatlas::StringForEnum(error)),
-                      "clean it with tegument prep first");
+    Faces left;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+        if (!placed[i]) left.push_back(piece[i]);
+    if (!left.empty()) std::ranges::move(boundedCharts(triangles, left), std::back_inserter(charts));
+    return charts;
 }
 
-/// Vertices anew: one for each pair of a vertex of the mesh and a vertex of the atlas.
-std::size_t takeCoordinates(Surface& surface, const xatlas::Atlas& atlas) {
-    const xatlas::Mesh& charts = atlas.meshes[0];
+std::vector<Chart> allCharts(const Triangles& triangles) {
+    const std::vector<Faces> pieces = cutIntoPieces(triangles, kMostTriangles);
+    std::vector<std::vector<Chart>> found(pieces.size());
+    forEachInParallel(pieces.size(), [&](std::size_t i) { found[i] = chartsOf(triangles, pieces[i]); });
+    std::vector<Chart> charts;
+    for (std::vector<Chart>& some : found)
+        std::ranges::move(some, std::back_inserter(charts));
+    return charts;
+}
+
+/// Vertices anew: one for each pair of a vertex of the mesh and a chart. Triangles without an area lie in one point.
+std::size_t takeCoordinates(Surface& surface, const std::vector<Chart>& charts, const Packing& packing) {
     Mesh& mesh = surface.mesh;
-    const float side = static_cast<float>(std::max({atlas.width, atlas.height, 1U}));
+    struct Corner {
+        std::uint32_t chart = UINT32_MAX;
+        glm::vec2 uv{0};
+    };
+    std::vector<Corner> corners(mesh.indices.size());
+    for (std::uint32_t c = 0; c < charts.size(); ++c)
+        for (std::size_t i = 0; i < charts[c].faces.size(); ++i)
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                corners[3 * charts[c].faces[i] + corner] = {.chart = c, .uv = glm::vec2(packing.places[c][i][corner])};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
     std::vector<std::uint32_t> from;
     std::vector<glm::vec2> uvs;
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
-        const std::uint32_t placed = charts.indexArray[corner];
-        const auto [entry, isNew] = known.try_emplace({mesh.indices[corner], placed}, static_cast<std::uint32_t>(from.size()));
+        const auto [entry, isNew] =
+            known.try_emplace({mesh.indices[corner], corners[corner].chart}, static_cast<std::uint32_t>(from.size()));
         if (isNew) {
             from.push_back(mesh.indices[corner]);
-            uvs.emplace_back(charts.vertexArray[placed].uv[0] / side, charts.vertexArray[placed].uv[1] / side);
+            uvs.push_back(corners[corner].uv);
         }
         mesh.indices[corner] = entry->second;
     }
@@ -84,26 +85,25 @@ std::size_t takeCoordinates(Surface& surface, const xatlas::Atlas& atlas) {
     return from.size() - std::min(before, from.size());
 }
 
+Error cannotUnwrap(std::string why) {
+    return inputError(7028, {}, "the mesh cannot be unwrapped: " + std::move(why), "its triangles may have no area: see tegument prep");
+}
+
 } // namespace
 
 Result<Unwrapping> unwrap(Surface& surface) {
     surface.mesh.textures.clear();
     dropTextures(surface.mesh.materials);
-    const Atlas atlas(xatlas::Create(), xatlas::Destroy);
-    if (auto error = addMesh(*atlas, surface)) return *error;
-    xatlas::ChartOptions charts;
-    charts.maxCost = kMostCost;
-    charts.maxIterations = kRounds;
-    xatlas::PackOptions pack;
-    pack.resolution = kTexels;
-    pack.padding = kGutter;
-    xatlas::Generate(atlas.get(), charts, pack);
-    if (atlas->meshCount != 1 || atlas->chartCount == 0 || atlas->meshes[0].indexCount != surface.mesh.indices.size())
-        return inputError(7028, {}, "the mesh cannot be unwrapped: no chart could be made of it",
-                          "its triangles may have no area: see tegument prep");
-    Unwrapping result{.charts = atlas->chartCount};
-    result.split = takeCoordinates(surface, *atlas);
-    result.covered = examineUvs(surface.mesh).covered;
+    const std::vector<Chart> charts = allCharts(Triangles(surface));
+    if (charts.empty()) return cannotUnwrap("no chart could be made of it");
+    const Packing packing = pack(charts);
+    if (packing.places.size() != charts.size()) return cannotUnwrap("its charts could not be packed");
+    Unwrapping result{.charts = charts.size()};
+    result.split = takeCoordinates(surface, charts, packing);
+    const UvReport report = examineUvs(surface.mesh);
+    if (report.overlapping + report.outside > kMostOfAll)
+        return cannotUnwrap(fmt::format("{:.1f} % of its charts would overlap", 100 * (report.overlapping + report.outside)));
+    result.covered = report.covered;
     return result;
 }
 

@@ -4,12 +4,14 @@
 #include "meshprep/skin/link_cells.h"
 #include "meshprep/skin/link_fit.h"
 #include "meshprep/skin/link_receiver.h"
+#include "meshprep/skin/link_tree.h"
 #include "meshprep/skin/wide_texels.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace tegument {
@@ -24,6 +26,8 @@ constexpr double kMissedSource = 1.0;
 /// Every so manieth texel is asked for it, and so much more is to be sent than taken back.
 constexpr int kProbes = 8;
 constexpr double kSentOverTaken = 10;
+/// Cells that a receiver may visit, in the mean: above, the map is of so many charts that cells are found in space.
+constexpr std::size_t kMostVisits = 4096;
 /// Half floats below this are 0.
 constexpr float kTinyWeight = 1e-7F;
 
@@ -37,6 +41,7 @@ struct Link {
 struct Gathered {
     std::vector<Link> links;
     std::array<double, 2> whole{};
+    std::size_t visits = 0;
 };
 
 /// What a pyramid does not know of the fourth Gaussian: light from where space is near and the map is not, and the reverse.
@@ -70,6 +75,19 @@ public:
     }
     [[nodiscard]] bool bringsFourth() const { return brings_; }
 
+    /// Whether cells are found through the map or in space: by what some receivers would visit in the map.
+    void chooseWay(const Mesh& mesh) {
+        std::size_t visits = 0;
+        std::size_t receivers = 0;
+        for (int y = kProbes / 2; y < kLinkSide; y += 2 * kProbes)
+            for (int x = kProbes / 2; x < kLinkSide; x += 2 * kProbes)
+                if (const auto middle = cells_.middle(mesh, kDestinationLevel, x, y, kLinksBeside)) {
+                    visits += at(linkReceiver(cells_, *middle, options_)).visits;
+                    ++receivers;
+                }
+        if (visits > kMostVisits * receivers) tree_.emplace(cells_, static_cast<float>(options_.nearest));
+    }
+
     /// Means of the Gaussians over a cell, 1/mm^2.
     [[nodiscard]] std::array<double, 2> means(const LinkReceiver& receiver, const LinkSource& cell) const {
         std::array<double, 2> sum{};
@@ -80,6 +98,10 @@ public:
 
     [[nodiscard]] Gathered at(const LinkReceiver& receiver) const {
         Gathered gathered;
+        if (tree_) {
+            visit(receiver, 0, gathered);
+            return gathered;
+        }
         const int top = kLinkLevels - 1;
         for (int y = 0; y < LinkCells::side(top); ++y)
             for (int x = 0; x < LinkCells::side(top); ++x)
@@ -88,33 +110,69 @@ public:
     }
 
 private:
+    /// How large a source may be whose nearest point is so far away, mm.
+    [[nodiscard]] float allowed(float away) const {
+        return static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(away, 0.0F);
+    }
+
+    /// What lies together in space is one source where it may: its largest cell sends for all of it.
+    void visit(const LinkReceiver& receiver, std::uint32_t index, Gathered& gathered) const {
+        const LinkTree::Node& node = tree_->nodes()[index];
+        const float away = glm::length(node.place - receiver.middle.place) - node.radius;
+        if (away > receiver.reach) return;
+        float most = allowed(away);
+        if (brings_) most = std::min(most, static_cast<float>(kMissedSource) * std::sqrt(receiver.fourth.along));
+        if (node.second != 0 && std::numbers::sqrt2_v<float> * node.radius > most) {
+            visit(receiver, index + 1, gathered);
+            visit(receiver, node.second, gathered);
+            return;
+        }
+        const LinkTreeCell& cell = tree_->cells()[node.largest];
+        std::array<double, 2> sum{};
+        if (node.second == 0)
+            add(receiver, cell.level, cell.x, cell.y, sum);
+        else
+            addAll(receiver, node, sum);
+        put(cell.level, cell.x, cell.y, sum, gathered);
+    }
+
+    void addAll(const LinkReceiver& receiver, const LinkTree::Node& node, std::array<double, 2>& sum) const {
+        for (std::size_t i = 0; i < 2; ++i)
+            sum[i] = node.area * receiver.sentBy(node.place, i);
+        if (!brings_) return;
+        Missed missed;
+        for (std::uint32_t i = node.first; i < node.end; ++i)
+            addMissed(receiver, tree_->cells()[i].level, tree_->cells()[i].x, tree_->cells()[i].y, missed);
+        sum[0] += options_.fourthShare * (missed.sent - missed.taken);
+    }
+
     void visit(const LinkReceiver& receiver, int level, int x, int y, Gathered& gathered) const {
+        ++gathered.visits;
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
         const glm::vec3 way = cell.place - receiver.middle.place;
         const float distance = glm::length(way);
         if (distance - cell.radius > receiver.reach) return;
         const float extent = std::numbers::sqrt2_v<float> * cell.radius;
-        float allowed = static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
+        float most = allowed(distance - cell.radius);
         if (brings_ && misses(receiver, cell, way))
-            allowed = std::min(allowed, static_cast<float>(kMissedSource) * std::sqrt(receiver.fourth.along));
-        if (level > 0 && extent > allowed) {
+            most = std::min(most, static_cast<float>(kMissedSource) * std::sqrt(receiver.fourth.along));
+        if (level > 0 && extent > most) {
             for (int i = 0; i < 4; ++i)
                 visit(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, gathered);
             return;
         }
-        emit(receiver, level, x, y, gathered);
-    }
-
-    void emit(const LinkReceiver& receiver, int level, int x, int y, Gathered& gathered) const {
-        Link link{
-            .level = static_cast<std::uint8_t>(level), .index = static_cast<std::uint32_t>(y * LinkCells::side(level) + x), .weight = {}};
         std::array<double, 2> sum{};
         add(receiver, level, x, y, sum);
+        put(level, x, y, sum, gathered);
+    }
+
+    static void put(int level, int x, int y, const std::array<double, 2>& sum, Gathered& gathered) {
         for (std::size_t i = 0; i < 2; ++i)
             gathered.whole[i] += sum[i];
-        link.weight = {static_cast<float>(sum[0]), static_cast<float>(sum[1])};
-        gathered.links.push_back(link);
+        gathered.links.push_back({.level = static_cast<std::uint8_t>(level),
+                                  .index = static_cast<std::uint32_t>(y * LinkCells::side(level) + x),
+                                  .weight = {static_cast<float>(sum[0]), static_cast<float>(sum[1])}});
     }
 
     /// The cell, or its parts where it is large: all as fine as each other, for a Gaussian's sum over a grid is exact, over a mixed one
@@ -163,6 +221,7 @@ private:
 
     const LinkCells& cells_;
     const LinkOptions& options_;
+    std::optional<LinkTree> tree_;
     bool brings_ = false;
     float fine_ = 0;
     float finest_ = 0; // the same of the fourth Gaussian
@@ -217,7 +276,7 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
         for (std::size_t k = 0; k < links.size(); ++k)
             links[k].weight[i] = std::max(weights[k] * scale, kTinyWeight);
     }
-    return std::move(links);
+    return {links.begin(), links.end()}; // without the room that all candidates took
 }
 
 using Lists = std::vector<std::vector<Link>>;
@@ -349,6 +408,7 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
                           "tegument prep MESH --unwrap makes them");
     Gatherer gatherer(cells, options);
     gatherer.decide(mesh);
+    gatherer.chooseWay(mesh);
     const WideTexels wide(mesh, cells);
     const std::size_t most = kMostLinks - (wide.blocks().empty() ? 0 : 1);
     const Lists lists = gatherAll(mesh, cells, gatherer, options, most);

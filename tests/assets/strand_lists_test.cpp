@@ -1,6 +1,7 @@
 // Which ribbons a pass is given: none that a shader would draw is left out, and most of those that it would not.
 
 #include "meshprep/assets/strand_lists.h"
+#include "meshprep/assets/strand_passes.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -282,9 +283,9 @@ TEST(StrandsOfAPassThatShowsAll, are_drawn_from_the_mesh_itself) {
     const auto half = listStrands(mesh, mesh.parts[0], nullptr, {0, 0, 300}, {.share = 0.5, .count = 4});
     ASSERT_TRUE(half);
     EXPECT_EQ(half->ranges.front().instances, 2U) << "whole instances are drawn at once";
-    EXPECT_EQ(half->ranges.front().range.count, mesh.indices.size());
+    EXPECT_EQ(half->ranges.front().count, mesh.indices.size());
     EXPECT_EQ(half->ranges.size(), 2U) << "and what rounding may leave of the third";
-    EXPECT_LT(half->ranges.back().range.count, mesh.indices.size() / 100);
+    EXPECT_LT(half->ranges.back().count, mesh.indices.size() / 100);
 }
 
 TEST(StrandsOfAPassThatShowsNothing, are_none) {

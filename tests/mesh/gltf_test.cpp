@@ -301,3 +301,74 @@ TEST_F(Gltf, one_primitive_drawn_by_many_nodes_cannot_exhaust_memory) {
     binary.resize(70000);
     EXPECT_EQ(codeOf(load("a.glb", glb(json(parts), binary))), 5310);
 }
+
+TEST_F(Gltf, meshes_to_which_no_node_refers_are_read_with_a_warning) {
+    for (const char* nodes : {"[]", R"([{"name":"empty"}])"}) {
+        Parts parts;
+        parts.nodes = nodes;
+        const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+        ASSERT_TRUE(mesh) << nodes << format(mesh.error());
+        EXPECT_EQ(mesh->indices.size(), 3U);
+        EXPECT_TRUE(hasWarning(*mesh, 5323)) << nodes;
+    }
+    EXPECT_FALSE(hasWarning(*load("a.glb", triangle(), kMillimetres), 5323));
+}
+
+TEST_F(Gltf, the_greatest_index_begins_a_strip_anew) {
+    std::string binary;
+    append(binary, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0});
+    append(binary, std::vector<std::uint8_t>{0, 1, 2, 3, 255, 4, 5, 6});
+    const auto file = [&](int mode) {
+        return glb(
+            R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_mesh_primitive_restart"],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
+            R"({"attributes":{"POSITION":0},"indices":1,"mode":)" +
+                std::to_string(mode) +
+                R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":7,"type":"VEC3"},)"
+                R"({"bufferView":1,"componentType":5121,"count":8,"type":"SCALAR"}],)"
+                R"("bufferViews":[{"buffer":0,"byteLength":84},{"buffer":0,"byteOffset":84,"byteLength":8}],"buffers":[{"byteLength":92}]})",
+            binary);
+    };
+    for (const int mode : {5, 6}) {
+        const auto mesh = load("a.glb", file(mode), kMillimetres);
+        ASSERT_TRUE(mesh) << mode << format(mesh.error());
+        EXPECT_EQ(mesh->indices.size(), 9U) << "two triangles, and one";
+    }
+    EXPECT_EQ(codeOf(load("a.glb", file(4), kMillimetres)), 5304) << "triangles need no beginning";
+}
+
+TEST_F(Gltf, a_header_of_no_length_is_named) {
+    std::string bytes = triangle();
+    std::memset(bytes.data() + 8, 0, 4);
+    const auto whole = load("a.glb", bytes);
+    ASSERT_EQ(codeOf(whole), 5302);
+    EXPECT_NE(format(whole.error()).find("announces 0 bytes"), std::string::npos) << format(whole.error());
+}
+
+TEST_F(Gltf, coordinates_are_those_that_the_colour_map_is_read_with) {
+    const auto with = [&](const std::string& texture) {
+        Parts parts;
+        parts.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":3},"indices":1,"material":0})";
+        parts.index += R"(,{"bufferView":2,"componentType":5126,"count":3,"type":"VEC2"})"; // pushes the others behind it: 2 and 3
+        parts.more = R"(,"textures":[{}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":)" + texture + "}}]";
+        return load("a.glb", triangle(parts), kMillimetres);
+    };
+    const struct {
+        const char* texture;
+        glm::vec2 first, second; // of (0, 1) and (1, 1)
+    } cases[] = {
+        {R"({"index":0})", {0, 1}, {1, 1}},
+        {R"({"index":0,"texCoord":1})", {0, 1}, {1, 1}},
+        {R"({"index":0,"extensions":{"KHR_texture_transform":{"scale":[0.5,0.25]}}})", {0, 0.25F}, {0.5F, 0.25F}},
+        {R"({"index":0,"extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],"scale":[0.5,0.5],"texCoord":1}}})",
+         {0.25F, 1},
+         {0.75F, 1}},
+        {R"({"index":0,"extensions":{"KHR_texture_transform":{"rotation":1.5707963267948966,"offset":[0,1]}}})", {1, 1}, {1, 0}},
+    };
+    for (const auto& one : cases) {
+        const auto mesh = with(one.texture);
+        ASSERT_TRUE(mesh) << one.texture << format(mesh.error());
+        EXPECT_LT(glm::length(mesh->uvs[mesh->indices[0]] - one.first), 1e-6F) << one.texture;
+        EXPECT_LT(glm::length(mesh->uvs[mesh->indices[1]] - one.second), 1e-6F) << one.texture;
+        EXPECT_FALSE(hasWarning(*mesh, 5323)) << one.texture;
+    }
+}

@@ -167,3 +167,62 @@ TEST_F(Loading, lengths_in_messages_are_written_out) {
     EXPECT_EQ(lengthText(-4e9), "-4000000000");
     EXPECT_EQ(lengthText(0.01234), "0.0123");
 }
+
+namespace {
+
+/// Two squares, each a chart, at these corners of the texture.
+std::string twoCharts(const glm::vec2& a, const glm::vec2& b, float side = 0.4F) {
+    std::string text;
+    for (const glm::vec2& corner : {a, b})
+        for (const glm::vec2& at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
+            text += "v " + std::to_string(100 * (at.x + 2 * corner.x)) + " " + std::to_string(100 * at.y) + " 0\n";
+            text += "vt " + std::to_string(corner.x + side * at.x) + " " + std::to_string(corner.y + side * at.y) + "\n";
+        }
+    return text + "f 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n";
+}
+
+} // namespace
+
+TEST_F(Loading, charts_of_other_tiles_lie_in_the_unit_square) {
+    const auto home = load("a.obj", twoCharts({0.05F, 0.1F}, {0.55F, 0.5F}));
+    ASSERT_TRUE(home);
+    for (const auto& [a, b] : {std::pair(glm::vec2(0, 1), glm::vec2(0, 1)), std::pair(glm::vec2(-2, 3), glm::vec2(0, 0)),
+                               std::pair(glm::vec2(7, -1), glm::vec2(-1, 0))}) {
+        const auto mesh = load("b.obj", twoCharts(glm::vec2(0.05F, 0.1F) + a, glm::vec2(0.55F, 0.5F) + b));
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        EXPECT_FALSE(hasWarning(*mesh, 5321)) << a.x << " " << a.y;
+        ASSERT_EQ(mesh->uvs.size(), home->uvs.size());
+        for (std::size_t i = 0; i < mesh->uvs.size(); ++i)
+            EXPECT_LT(glm::length(mesh->uvs[i] - home->uvs[i]), 1e-5F) << i;
+    }
+    const auto across = load("c.obj", twoCharts({0.8F, 0.1F}, {0.05F, 0.5F}));
+    ASSERT_TRUE(across);
+    EXPECT_TRUE(hasWarning(*across, 5321)) << "a chart of two tiles stays where it is";
+}
+
+TEST_F(Loading, a_normalised_mesh_without_a_unit_is_as_large_as_a_head) {
+    const auto box = [](double x, double y, double z) {
+        std::string text;
+        for (const double i : {0.0, 1.0})
+            for (const double j : {0.0, 1.0})
+                for (const double k : {0.0, 1.0})
+                    text += "v " + std::to_string(x * i) + " " + std::to_string(y * j) + " " + std::to_string(z * k) + "\n";
+        return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+    };
+    const struct {
+        double x, y, z;
+        bool head;
+    } cases[] = {{0.4, 2, 0.3, true},    {1, 0.2, 0.6, true},      {1.2, 1.9, 1.4, true},
+                 {0.5, 1.8, 0.3, false}, {0.15, 0.24, 0.2, false}, {0.9, 1.001, 0.2, false}};
+    for (const auto& one : cases) {
+        const auto mesh = load("a.obj", box(one.x, one.y, one.z), {.guessUnit = true});
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        const double longest = std::max({one.x, one.y, one.z}) * mesh->unitMm;
+        EXPECT_TRUE(hasWarning(*mesh, 5327)) << longest;
+        if (one.head)
+            EXPECT_TRUE(longest >= 150 && longest <= 700) << longest;
+        else
+            EXPECT_EQ(mesh->unitMm, 1000) << longest;
+        EXPECT_EQ(load("a.obj", box(one.x, one.y, one.z), {.unitMm = 1, .guessUnit = true})->unitMm, 1) << "what is said is done";
+    }
+}

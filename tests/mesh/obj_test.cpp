@@ -111,11 +111,10 @@ TEST_F(Obj, bad_input_is_one_error_with_its_line) {
         int code;
         int line;
     } cases[] = {
-        {three + "f 1 2 9\n", 5304, 4},          // beyond the last vertex
-        {three + "f 0 1 2\n", 5304, 4},          // OBJ counts from 1
-        {three + "f -4 1 2\n", 5304, 4},         // before the first
-        {three + "f 1/1 2/1 3/1\n", 5304, 4},    // there are no texture coordinates
-        {three + "f 1//1 2//1 3//1\n", 5304, 4}, // nor normals
+        {three + "f 1 2 9\n", 5304, 4},       // beyond the last vertex
+        {three + "f 0 1 2\n", 5304, 4},       // OBJ counts from 1
+        {three + "f -4 1 2\n", 5304, 4},      // before the first
+        {three + "f 1/1 2/1 3/1\n", 5304, 4}, // there are no texture coordinates
         {three + "f 1 2 x\n", 5302, 4},
         {three + "f 1/2/3/4 2 3\n", 5302, 4},
         {three + "f 99999999999999999999 1 2\n", 5302, 4},
@@ -223,4 +222,51 @@ TEST_F(Obj, says_which_picture_is_not_there) {
     const auto mesh = load("a.obj", std::string(kMaterialObj));
     ASSERT_EQ(mesh->warnings.size(), 1U);
     EXPECT_NE(mesh->warnings[0].text.find("gone.png"), std::string::npos) << mesh->warnings[0].text;
+}
+
+namespace {
+
+const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+} // namespace
+
+TEST_F(Obj, positions_are_divided_by_their_weight) {
+    const auto mesh = load("a.obj", "v 0 0 0 4\nv 4 0 0 4\nv 0 -3 0 -1\nf 1 2 3\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->positions[1], glm::vec3(1, 0, 0));
+    EXPECT_EQ(mesh->positions[2], glm::vec3(0, 3, 0));
+    EXPECT_EQ(load("b.obj", "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n")->positions[1], glm::vec3(1, 0, 0));
+    EXPECT_EQ(codeOf(load("c.obj", "v 0 0 0 1\nv 1 0 0 0\nv 0 1 0 1\nf 1 2 3\n")), 5302);
+}
+
+TEST_F(Obj, old_words_and_capitals_are_read) {
+    for (const std::string& text : {kThree + "fo 1 2 3\n", std::string("V 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n"),
+                                    std::string("V 0 0 0\nv 1 0 0\nV 0 1 0\nVT 0 0\nVT 1 0\nVT 0 1\nUSEMTL skin\nFO 1/1 2/2 3/3\n")}) {
+        const auto mesh = load("a.obj", text);
+        ASSERT_TRUE(mesh) << text << format(mesh.error());
+        EXPECT_EQ(mesh->indices.size(), 3U) << text;
+        EXPECT_FALSE(hasWarning(*mesh, 5323)) << text;
+    }
+}
+
+TEST_F(Obj, painted_colours_in_comments_are_kept_or_told) {
+    const auto mesh = load("a.obj", kThree + "#MRGB ffff0000ff00ff00\n#MRGB ff0000ff\nf 1 2 3\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    ASSERT_EQ(mesh->colors.size(), 3U);
+    EXPECT_EQ(mesh->colors[0], glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(mesh->colors[2], glm::vec4(0, 0, 1, 1));
+    const auto few = load("a.obj", kThree + "#MRGB ffff0000\nf 1 2 3\n");
+    ASSERT_TRUE(few);
+    EXPECT_TRUE(few->colors.empty());
+    EXPECT_TRUE(hasWarning(*few, 5323)) << "one colour for three vertices";
+    EXPECT_FALSE(hasWarning(*load("a.obj", kThree + "#MRGB is what ZBrush writes\nf 1 2 3\n"), 5323)) << "a comment";
+}
+
+TEST_F(Obj, names_of_normals_that_are_absent_are_told_and_made_anew) {
+    for (const char* face : {"f 1//1 2//1 3//1\n", "vn 0 0 -1\nf 1//1 2//2 3//1\n", "f 1//-1 2//-1 3//-1\n"}) {
+        const auto mesh = load("a.obj", kThree + face);
+        ASSERT_TRUE(mesh) << face << format(mesh.error());
+        EXPECT_TRUE(hasWarning(*mesh, 5324)) << face;
+        EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1)) << face;
+    }
 }

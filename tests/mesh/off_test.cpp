@@ -63,3 +63,49 @@ TEST_F(Off, every_truncation_is_an_error) {
     for (std::size_t size = 0; size + 1 < whole.size(); ++size)
         EXPECT_FALSE(load("a.off", whole.substr(0, size))) << size;
 }
+
+namespace {
+
+const std::string kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+} // namespace
+
+TEST_F(Off, the_number_of_edges_may_be_absent_and_the_keyword_glued) {
+    for (const std::string head : {"OFF\n4 2\n", "OFF4 2 0\n", "OFF 4 2\n", "OFF\n4 2\n0\n", "OFF\n4\n2 0 # edges are not counted\n"}) {
+        const auto mesh = load("a.off", head + kPoints + "3 0 1 2\n3 0 2 3\n");
+        ASSERT_TRUE(mesh) << head << format(mesh.error());
+        EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3})) << head;
+        EXPECT_TRUE(mesh->warnings.empty()) << head;
+    }
+}
+
+TEST_F(Off, faces_behind_the_last_are_kept_with_a_warning_and_what_is_no_face_is_an_error) {
+    const auto mesh = load("a.off", "OFF\n4 1 0\n" + kPoints + "3 0 1 2\n3 0 2 3\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 6U);
+    EXPECT_TRUE(hasWarning(*mesh, 5323));
+    const auto point = load("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n0.5 1 0\n3 0 1 2\n"); // a vertex more than announced
+    ASSERT_FALSE(point);
+    EXPECT_FALSE(load("a.off", "OFF\n4 1 0\n" + kPoints + "3 0 1 2\nthe end\n"));
+}
+
+TEST_F(Off, colours_of_vertices_are_kept_where_they_are_named_and_told_where_not) {
+    const auto rgb = load("a.off", "COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+    ASSERT_TRUE(rgb) << format(rgb.error());
+    ASSERT_EQ(rgb->colors.size(), 3U);
+    EXPECT_EQ(rgb->colors[1], glm::vec4(0, 1, 0, 1));
+    for (const char* more : {" 1 0 0", " 0 0 0 1", " 200 10 10 255"}) {
+        std::string text = "OFF\n3 1 0\n";
+        for (const char* place : {"0 0 0", "1 0 0", "0 1 0"})
+            text += std::string(place) + more + "\n";
+        const auto unnamed = load("a.off", text + "3 0 1 2\n");
+        ASSERT_TRUE(unnamed) << more << format(unnamed.error());
+        EXPECT_EQ(unnamed->positions[1], glm::vec3(1, 0, 0)) << more;
+        EXPECT_TRUE(hasWarning(*unnamed, 5331)) << more;
+    }
+}
+
+TEST_F(Off, binary_files_are_named_as_such) {
+    const auto mesh = load("a.off", std::string("OFF BINARY\n\0\0\0\3", 15));
+    ASSERT_EQ(codeOf(mesh), 5307);
+}

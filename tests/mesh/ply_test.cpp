@@ -2,6 +2,7 @@
 #include "tests/mesh/files.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 using namespace tegument;
@@ -242,4 +243,54 @@ TEST_F(Ply, names_and_types_that_only_some_programs_use_are_understood) {
                           "property list uchar int a\nproperty list uchar int b\nend_header\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2 1 7\n")),
               5302)
         << "two lists: nobody knows which";
+}
+
+TEST_F(Ply, a_row_with_more_values_than_declared_is_named) {
+    const auto mesh = load("a.ply", header("ascii") + "0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n3 0 2 3\n");
+    ASSERT_EQ(codeOf(mesh), 5302);
+    EXPECT_NE(format(mesh.error()).find("'vertex'"), std::string::npos) << format(mesh.error());
+    EXPECT_NE(format(mesh.error()).find("255 0 0"), std::string::npos) << format(mesh.error());
+}
+
+TEST_F(Ply, no_numbers_of_old_windows_programs_are_understood) {
+    for (const char* number : {"1.#QNAN", "-1.#IND00", "1.#INF", "-1.#INF000", "1.#SNAN"}) {
+        const std::string text = header("ascii") + "0 0 " + number + "\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+        EXPECT_EQ(codeOf(load("a.ply", text)), 5305) << number << ": not finite, rather than not a number";
+    }
+    EXPECT_EQ(codeOf(load("a.ply", header("ascii") + "0 0 1.#\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")), 5302);
+}
+
+TEST_F(Ply, each_face_has_the_picture_that_its_number_names) {
+    const auto picture = [&](const std::string& name, int width, int height, const glm::vec3& colour) {
+        Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
+        for (int i = 0; i < width * height; ++i)
+            image.pixels.insert(image.pixels.end(), {colour.r, colour.g, colour.b});
+        ASSERT_TRUE(writePng(folder_ / name, image, PngEncoding::Raw));
+    };
+    picture("red.png", 2, 2, {1, 0, 0});
+    picture("green.png", 4, 8, {0, 1, 0});
+    picture("blue.png", 3, 5, {0, 0, 1});
+    const std::vector<std::string> names = {"red.png", "green.png", "blue.png"};
+    for (const std::array<int, 2>& of : {std::array<int, 2>{0, 1}, {2, 0}, {1, 2}}) {
+        std::string text = "ply\nformat ascii 1.0\n";
+        for (const std::string& name : names)
+            text += "comment TextureFile " + name + "\n";
+        text += "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+                "property list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int texnumber\nend_header\n"
+                "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 0.1 0.1 0.9 0.1 0.9 0.9 " +
+                std::to_string(of[0]) + "\n3 0 2 3 6 0.1 0.1 0.9 0.9 0.1 0.9 " + std::to_string(of[1]) + "\n";
+        const auto mesh = load("a.ply", text);
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        EXPECT_FALSE(hasWarning(*mesh, 5326));
+        ASSERT_EQ(mesh->textures.size(), 1U);
+        const Image& sheet = mesh->textures[0].image;
+        for (std::size_t face = 0; face < 2; ++face)
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const glm::vec2 uv = mesh->uvs[mesh->indices[3 * face + corner]];
+                const int x = static_cast<int>(uv.x * static_cast<float>(sheet.width)),
+                          y = static_cast<int>(uv.y * static_cast<float>(sheet.height));
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_EQ(sheet.at(x, y, c), c == of[face] ? 1 : 0) << "face " << face << ", corner " << corner;
+            }
+    }
 }

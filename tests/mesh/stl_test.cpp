@@ -72,7 +72,6 @@ TEST_F(Stl, bad_text_is_one_error_with_its_line) {
         int code;
         int line;
     } cases[] = {
-        {text(1, ""), 5301, 0}, // no endsolid
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nendloop\n", 5302, 6},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0,5\n", 5302, 5},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n", 5305, 4},
@@ -92,8 +91,11 @@ TEST_F(Stl, every_truncation_is_an_error) {
     for (std::size_t size = 0; size < bytes.size(); ++size)
         EXPECT_FALSE(load("a.stl", bytes.substr(0, size))) << size;
     const std::string whole = text(1);
+    const std::size_t facets = text(1, "").size();
     for (std::size_t size = 0; size + sizeof(" thing\n") <= whole.size(); ++size) // "endsolid" alone is an end
-        EXPECT_FALSE(load("a.stl", whole.substr(0, size))) << size;
+        if (size < facets - 1 || size > facets) {
+            EXPECT_FALSE(load("a.stl", whole.substr(0, size))) << size;
+        }
 }
 
 TEST_F(Stl, text_is_text_also_indented_in_capitals_or_behind_a_mark) {
@@ -117,4 +119,25 @@ TEST_F(Stl, a_binary_file_without_a_count_is_read_to_its_end_with_a_warning) {
         ASSERT_FALSE(mesh->warnings.empty());
         EXPECT_EQ(mesh->warnings.front().code, 5323);
     }
+}
+
+TEST_F(Stl, ends_in_two_words_are_read) {
+    std::string spaced = text(3, "end solid thing\n");
+    for (std::size_t at = spaced.find("endloop"); at != std::string::npos; at = spaced.find("endloop"))
+        spaced.replace(at, 7, "end loop");
+    const auto mesh = load("a.stl", spaced);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 9U);
+    EXPECT_FALSE(hasWarning(*mesh, 5323));
+    EXPECT_EQ(codeOf(load("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nend facet\n")), 5302);
+}
+
+TEST_F(Stl, a_missing_end_behind_whole_facets_is_told) {
+    for (const int facets : {1, 2, 5}) {
+        const auto mesh = load("a.stl", text(facets, ""));
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        EXPECT_EQ(mesh->indices.size(), 3U * static_cast<unsigned>(facets));
+        EXPECT_TRUE(hasWarning(*mesh, 5323)) << "the file may have been longer";
+    }
+    EXPECT_EQ(codeOf(load("a.stl", text(0, ""))), 5301);
 }

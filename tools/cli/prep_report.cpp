@@ -110,7 +110,10 @@ Json reportJson(const prep::PrepReport& report, const std::string& input, const 
     json["topology"] = topologyJson(report.topology);
     json["levels"] = Json::array();
     for (const prep::LevelFigures& level : report.levels)
-        json["levels"].push_back({{"faces", level.triangles}, {"error_mm", level.error.greatest}, {"rms_mm", level.error.rms}});
+        json["levels"].push_back({{"faces", level.triangles},
+                                  {"error_mm", told(level.error)},
+                                  {"error_at_most_mm", level.error.greatest},
+                                  {"rms_mm", level.error.rms}});
     if (report.overdraw) json["overdraw"] = beforeAfter(report.overdraw->before, report.overdraw->after);
     json["precision"] = {
         {"position_mm", report.precision.positionMm}, {"normal_degrees", report.precision.normalDegrees}, {"uv", report.precision.uv}};

@@ -445,3 +445,30 @@ TEST_F(Prepare, a_mesh_of_nothing_but_collapsed_triangles_names_the_reason) {
     EXPECT_EQ(result.error().diagnostics.front().code, 7020);
     EXPECT_NE(format(result.error()).find("1 triangles with two corners at one place"), std::string::npos);
 }
+
+TEST_F(Prepare, no_level_tells_a_larger_error_than_a_coarser_one) {
+    EXPECT_EQ(told({.greatest = 31.2, .reached = 0.36}), 0.36) << "a bound that says nothing";
+    EXPECT_EQ(told({.greatest = 1.01, .reached = 1}), 1.01) << "a bound that is near";
+    EXPECT_EQ(told({.greatest = 0, .reached = 0}), 0);
+    const auto plate = [](double bump, std::uint32_t side) { // triangles that lie nearly within one plane: bounds are far off there
+        std::vector<glm::vec3> places;
+        std::vector<std::uint32_t> indices;
+        for (std::uint32_t j = 0; j <= side; ++j)
+            for (std::uint32_t i = 0; i <= side; ++i)
+                places.emplace_back(i, bump * std::sin(37.0 * i + 91.0 * j * j), j);
+        for (std::uint32_t j = 0; j < side; ++j)
+            for (std::uint32_t i = 0; i < side; ++i) {
+                const std::uint32_t a = j * (side + 1) + i, b = a + side + 1;
+                indices.insert(indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+            }
+        return meshOf(std::move(places), std::move(indices));
+    };
+    for (const Mesh& mesh : {plate(1e-5, 90), plate(0.02, 90), makeShape(Shape::Terrain, 70)}) {
+        double last = 0;
+        for (const LevelFigures& level : prepare(mesh).report.levels) {
+            EXPECT_GE(told(level.error), last);
+            last = told(level.error);
+        }
+        EXPECT_GT(last, 0);
+    }
+}

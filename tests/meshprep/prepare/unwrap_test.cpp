@@ -1,10 +1,12 @@
 // Texture coordinates for meshes without: every triangle has its own place in the square.
 #include "meshprep/prepare/unwrap.h"
 
+#include "meshprep/prepare/charts.h"
 #include "meshprep/prepare/clean.h"
 #include "tests/meshprep/prepare/meshes.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace tegument;
@@ -126,3 +128,119 @@ TEST_F(Unwrap, of_triangles_without_area_is_refused) {
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().diagnostics.front().code, 7028);
 }
+
+namespace {
+
+/// Corners (i, j) of a sheet, or of a tube where it is closed around.
+template <class Place>
+Surface sheet(std::uint32_t around, std::uint32_t along, bool closed, Place place) {
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> indices;
+    const std::uint32_t columns = closed ? around : around + 1;
+    for (std::uint32_t j = 0; j <= along; ++j)
+        for (std::uint32_t i = 0; i < columns; ++i)
+            positions.push_back(place(static_cast<double>(i) / around, static_cast<double>(j) / along));
+    for (std::uint32_t j = 0; j < along; ++j)
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const std::uint32_t a = j * columns + i, b = j * columns + (i + 1) % columns;
+            indices.insert(indices.end(), {a, b, b + columns, a, b + columns, a + columns});
+        }
+    return surfaceOf(meshOf(std::move(positions), std::move(indices)));
+}
+
+constexpr double kRound = 2 * std::numbers::pi;
+
+/// Neighbours turn by half a degree, all of them by a whole turn.
+Surface cone() {
+    return sheet(720, 2, true, [](double u, double v) {
+        const double radius = 30 + 40 * v;
+        return glm::vec3(radius * std::cos(kRound * u), 80 * v, radius * std::sin(kRound * u));
+    });
+}
+
+/// A ramp of three turns: no normal is far from any other, and it lies over itself.
+Surface ramp() {
+    return sheet(900, 1, false, [](double u, double v) {
+        const double radius = 20 + 10 * v;
+        return glm::vec3(radius * std::cos(3 * kRound * u), 6 * u, radius * std::sin(3 * kRound * u));
+    });
+}
+
+/// Closed, without an edge to begin at.
+Surface ring() {
+    Surface surface = sheet(500, 12, true, [](double u, double v) {
+        const double radius = 60 + 5 * std::cos(kRound * v);
+        return glm::vec3(radius * std::cos(kRound * u), 5 * std::sin(kRound * v), radius * std::sin(kRound * u));
+    });
+    for (glm::vec3& p : surface.mesh.positions) // both ends of v are one place to the last bit
+        p = glm::round(p * 1024.0F) / 1024.0F;
+    return surfaceOf(std::move(surface.mesh));
+}
+
+} // namespace
+
+#ifndef TEGUMENT_WITHOUT_XATLAS
+TEST(UnwrapOfSmooth, surfaces_of_fine_triangles_never_overlap) {
+    for (const auto& [name, make] : {std::pair("cone", &cone), std::pair("ramp", &ramp), std::pair("ring", &ring)}) {
+        Surface surface = make();
+        const auto made = unwrap(surface);
+        ASSERT_TRUE(made) << name << format(made.error());
+        const UvReport report = examineUvs(surface.mesh);
+        EXPECT_LE(report.overlapping, 1e-3) << name;
+        EXPECT_EQ(report.outside, 0) << name;
+        EXPECT_LE(made->charts, 24U) << name << ": light ends at the border of a chart";
+    }
+}
+
+TEST(UnwrapOfSmooth, pieces_are_bounded_connected_and_whole) {
+    const Surface surface = ring();
+    const Triangles triangles(surface);
+    const std::vector<Faces> pieces = cutIntoPieces(triangles, 1000);
+    std::vector<int> times(surface.triangles(), 0);
+    for (const Faces& piece : pieces) {
+        EXPECT_LE(piece.size(), 1000U);
+        for (const std::uint32_t face : piece)
+            ++times[face];
+    }
+    EXPECT_EQ(cutIntoPieces(triangles, surface.triangles()).size(), 1U) << "what fits stays whole";
+    EXPECT_GE(pieces.size(), surface.triangles() / 1000);
+    EXPECT_LE(pieces.size(), 4 * surface.triangles() / 1000);
+    EXPECT_TRUE(std::ranges::all_of(times, [](int count) { return count == 1; }));
+}
+
+TEST(UnwrapOfSmooth, bounded_charts_lie_flat_whatever_the_surface) {
+    Surface crumpled = sheet(40, 40, false, [](double u, double v) {
+        return glm::vec3(50 * u + 6 * std::sin(97 * v), 9 * std::sin(41 * u + 83 * v), 50 * v + 6 * std::sin(89 * u));
+    });
+    for (const Surface& surface : {cone(), ramp(), std::move(crumpled)}) {
+        const Triangles triangles(surface);
+        std::size_t placed = 0;
+        for (const Faces& piece : cutIntoPieces(triangles, surface.triangles()))
+            for (const Chart& chart : boundedCharts(triangles, piece)) {
+                EXPECT_TRUE(liesFlat(triangles, chart));
+                placed += chart.faces.size();
+            }
+        EXPECT_EQ(placed, surface.triangles());
+    }
+}
+
+TEST(UnwrapOfSmooth, a_chart_that_overlaps_or_turns_over_does_not_lie_flat) {
+    const Surface surface = ramp();
+    const Triangles triangles(surface);
+    Chart fromAbove;
+    for (std::uint32_t face = 0; face < triangles.count(); ++face) {
+        fromAbove.faces.push_back(face);
+        auto& places = fromAbove.places.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            places[corner] = {triangles.place(face, corner).x, triangles.place(face, corner).z};
+    }
+    EXPECT_FALSE(liesFlat(triangles, fromAbove)) << "three layers";
+    Chart one{.faces = {0, 1}, .places = {fromAbove.places[0], fromAbove.places[1]}};
+    EXPECT_TRUE(liesFlat(triangles, one));
+    std::swap(one.places[1][0], one.places[1][1]);
+    EXPECT_FALSE(liesFlat(triangles, one)) << "turned over";
+    one.places[1] = one.places[0];
+    one.places[1][2].x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(liesFlat(triangles, one)) << "no number";
+}
+#endif

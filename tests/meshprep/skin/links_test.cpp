@@ -5,9 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
+#include <sys/resource.h>
 
 namespace tegument::test {
 
@@ -186,6 +190,53 @@ TEST(SkinLinks, WhatTheMeshCallsNoSkinSendsNothing) {
     ASSERT_TRUE(links) << format(links.error());
     EXPECT_NEAR(listOf(*links, 64, 128).sum[1], 1, 0.02);
     EXPECT_EQ(listOf(*links, 192, 128).count, 0U);
+}
+
+/// A plane cut into squares, each a chart of its own, in any order.
+Mesh shreddedPlane(int along, double side) {
+    Mesh mesh;
+    std::vector<int> order(static_cast<std::size_t>(along * along));
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937(7));
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const int k = static_cast<int>(i);
+        const glm::dvec2 slot = (glm::dvec2(order[i] % along, order[i] / along) + 0.125) / static_cast<double>(along);
+        const std::size_t first = mesh.positions.size();
+        addSheet(mesh, side / along, 0, slot, 0.75 / along);
+        for (std::size_t v = first; v < mesh.positions.size(); ++v)
+            mesh.positions[v] += glm::vec3((k % along + 0.5) * side / along, (k / along + 0.5) * side / along, 0);
+    }
+    return mesh;
+}
+
+long peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+TEST(SkinLinks, MapsOfThousandsOfChartsTakeNoMoreMemoryAndBringTheirLight) {
+    for (const auto& [along, side] : {std::pair(24, 60.0), std::pair(64, 120.0), std::pair(64, 20.0)}) {
+        const Mesh mesh = shreddedPlane(along, side);
+        const long before = peakMegabytes();
+        const auto links = makeSkinLinks(mesh);
+        ASSERT_TRUE(links) << format(links.error());
+        EXPECT_LT(peakMegabytes() - before, 400) << along << " charts along a side of " << side << " mm";
+        std::size_t probes = 0;
+        double sum = 0;
+        for (int y = 2; y < kLinkSide; y += 12)
+            for (int x = 2; x < kLinkSide; x += 12) {
+                const Read read = listOf(*links, x, y);
+                if (read.count == 0) continue;
+                EXPECT_LE(read.count, static_cast<std::size_t>(kMostLinks));
+                ++probes;
+                sum += read.sum[0];
+            }
+        ASSERT_GT(probes, 50U);
+        // Of the narrower Gaussian, which ends at the plane's border: within 9 mm of it some is lost.
+        EXPECT_NEAR(sum / static_cast<double>(probes), side > 30 ? 0.97 : 0.87, 0.08)
+            << along << " charts along a side of " << side << " mm";
+    }
 }
 
 TEST(SkinLinks, MeshesWithoutTextureCoordinatesAreRefused) {

@@ -1,5 +1,5 @@
 #pragma once
-// Ribbons of fur that a pass draws (docs/running.md, "Parts of a mesh"): those that the eye can see, of thin ones a share, of short
+// Ribbons of fur that a pass draws (docs/design/fur.md): those that the eye can see, of thin ones a share, of short
 // ones fewer rows.
 
 #include "host/mesh/mesh.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Annotations of passes that draw or note strands (docs/running.md, "Parts of a mesh"), read here and nowhere else: Reach with ReachScale;
+// Annotations of passes that draw or note strands (docs/design/fur.md), read here and nowhere else: Reach with ReachScale;
 // Share with ShareRadius, ShareThinnest, ShareFewest and ShareFirst; Segment with SegmentsOf, SegmentScale and SegmentFewest; Least with
 // LeastRadius or LeastSpacings, LeastScale and LeastTaper; Rows with RowsStrands, RowsMore, RowsEach, RowsScale and RowsMacro.
 

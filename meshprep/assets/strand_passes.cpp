@@ -125,13 +125,13 @@ const MeshPart* partOfStrands(const PassRequest& request) {
     return named != mesh.parts.end() && isRibbons(*named) ? &*named : nullptr;
 }
 
-Result<void> hasTheStrands(const PassRequest& request) {
+/// Says what makes strands, where the mesh has none.
+Error withHowToGrow(Error error, const PassRequest& request) {
     const auto part = request.pass.annotations.string("Part");
-    if (part != kStrandsPart && part != kUnderfurPart) return {};
-    if (std::ranges::find(request.mesh.parts, *part, &MeshPart::name) != request.mesh.parts.end()) return {};
-    return inputError(4060, {.file = request.mesh.name, .byte = {}},
-                      fmt::format("pass {} draws the mesh's part '{}', and there is none", request.pass.name, *part),
-                      "tegument fur strands MESH -o NEW.glb makes them");
+    const bool strands = part == kStrandsPart || part == kUnderfurPart;
+    if (strands && error.diagnostics.front().code == 4060)
+        error.diagnostics.front().hint = "tegument fur strands MESH -o NEW.glb makes them";
+    return error;
 }
 
 /// Strands of a root, and rows of each.
@@ -174,7 +174,7 @@ double horizonOf(double reach) {
 
 Result<std::shared_ptr<const DrawList>> StrandPasses::list(const PassRequest& request) {
     using List = std::shared_ptr<const DrawList>;
-    if (const auto there = hasTheStrands(request); !there) return there.error();
+    if (const auto all = run::partOf(request.effect, request.pass, request.mesh); !all) return withHowToGrow(all.error(), request);
     const auto view = viewOf(request);
     if (!view) return view.error();
     auto share = shareOf(request);

@@ -197,6 +197,7 @@ bool isNormalised(const Bounds& bounds, double unitMm) {
     const glm::dvec3 size = (glm::dvec3(bounds.maximum) - glm::dvec3(bounds.minimum)) / unitMm;
     const double longest = std::max({size.x, size.y, size.z});
     const double shortest = std::min({size.x, size.y, size.z});
+    if (!(shortest > 0)) return false; // a panel of side 1 is a panel
     if (std::abs(longest - 1) < kExact || std::abs(longest - 2) < kExact) return true;
     return longest * 1000 > kMostHead && longest <= 3 && shortest >= kCompact * longest;
 }

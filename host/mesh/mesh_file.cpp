@@ -80,8 +80,10 @@ std::optional<double> namedNumber(std::string_view word) {
     const double sign = word.starts_with('-') ? -1 : 1;
     if (word.starts_with('-')) word.remove_prefix(1);
     if (!word.starts_with("1.#")) return std::nullopt;
-    if (word.starts_with("1.#INF")) return sign * INFINITY;
-    return NAN;
+    word.remove_prefix(3);
+    if (word.starts_with("INF")) return sign * INFINITY;
+    const bool none = word.starts_with("IND") || word.starts_with("QNAN") || word.starts_with("SNAN");
+    return none ? std::optional<double>(NAN) : std::nullopt;
 }
 
 } // namespace

@@ -93,9 +93,12 @@ public:
             const std::string word = toLower(words_.next());
             if (word == "facet")
                 readFacet();
-            else if (word == "endsolid" || word == "end" || word == "solid") // several bodies may follow each other; "end solid"
-                endBody(word != "solid");
-            else if (word.empty())
+            else if (word == "endsolid" || word == "solid") // several bodies may follow each other
+                endBody(word == "endsolid");
+            else if (word == "end") {
+                expect("solid");
+                endBody(true);
+            } else if (word.empty())
                 break;
             else
                 words_.fail(malformed(words_.at(), fmt::format("'{}' where 'facet' or 'endsolid' is expected", word.substr(0, 40))));

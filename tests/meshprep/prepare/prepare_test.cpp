@@ -466,7 +466,7 @@ TEST_F(Prepare, no_level_tells_a_larger_error_than_a_coarser_one) {
     for (const Mesh& mesh : {plate(1e-5, 90), plate(0.02, 90), makeShape(Shape::Terrain, 70)}) {
         double last = 0;
         for (const LevelFigures& level : prepare(mesh).report.levels) {
-            EXPECT_GE(told(level.error), last);
+            EXPECT_GE(1.02 * told(level.error), last) << "a bound is up to 2 % above what is reached (distance.h)";
             last = told(level.error);
         }
         EXPECT_GT(last, 0);

@@ -138,7 +138,7 @@ std::string fileOf(const Stream& stream, Packing packing) {
             packed.update({{"count", 4}, {"byteStride", padded}, {"mode", "ATTRIBUTES"}});
             gltf.json["bufferViews"][at] = {
                 {"buffer", 1}, {"byteLength", 4 * padded}, {"extensions", {{"EXT_meshopt_compression", packed}}}};
-            if (padded != stride) gltf.json["bufferViews"][at]["byteStride"] = padded;
+            if (padded != sizeof(T) * channelsOf(stream)) gltf.json["bufferViews"][at]["byteStride"] = padded;
             gltf.json["buffers"] = {{{"byteLength", 0}},
                                     {{"byteLength", 64}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
         }

@@ -234,15 +234,15 @@ TEST(Look, the_list_names_what_there_is_and_the_command_that_brings_what_is_not)
 TEST(Look, a_value_that_the_technique_does_not_read_is_warned_of) {
     const std::string effect =
         write("unread.fx", "float4 gBoth = 1; float4 gOne = 1; float4 gNone = 1; float gLoops = 1; Texture2D gMap;\n"
-                           "float4 half2() { return gOne; }\n"
+                           "float4 ofOne() { return gOne; }\n"
                            "float4 VS(float4 p : POSITION) : SV_Position { return p; }\n"
-                           "float4 A() : SV_Target0 { return gBoth; }\n"
-                           "float4 B() : SV_Target0 { return gBoth + half2(); }\n"
-                           "float4 C() : SV_Target0 { return gBoth + gMap.Load(int3(0, 0, 0)); }\n"
+                           "float4 PA() : SV_Target0 { return gBoth; }\n"
+                           "float4 PB() : SV_Target0 { return gBoth + ofOne(); }\n"
+                           "float4 PC() : SV_Target0 { return gBoth + gMap.Load(int3(0, 0, 0)); }\n"
                            "#define T(N) technique10 N { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); "
-                           "SetPixelShader(CompileShader(ps_4_0, N())); } }\nT(A) T(B) T(C)\n"
+                           "SetPixelShader(CompileShader(ps_4_0, P##N())); } }\nT(A) T(B) T(C)\n"
                            "technique10 D < string Script = \"LoopByCount=gLoops; Pass=P; LoopEnd;\"; > { pass P { "
-                           "SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, A())); } }\n");
+                           "SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, PA())); } }\n");
     const std::string map = write("unread.ppm", "no picture");
     const auto said = [&](const std::string& technique, const std::string& set) {
         const Ran ran = tegument::test::tegument(

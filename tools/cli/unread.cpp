@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace tegument::app {
 
@@ -23,17 +24,18 @@ bool mentions(const Annotations& annotations, const std::string& name) {
 }
 
 /// By the functions that its shaders call and by its scripts: what only a compiler knows, such as a branch that is never taken, counts.
-bool reads(const adopt::Code& code, const Technique& technique, const std::string& name) {
-    std::vector<std::string> roots;
-    for (const Pass& pass : technique.passes) {
-        if (mentions(pass.script, name) || mentions(pass.annotations, name)) return true;
-        for (const auto* shader : {&pass.vertexShader, &pass.pixelShader, &pass.geometryShader, &pass.computeShader})
-            if (*shader) roots.push_back((*shader)->entry);
-    }
-    const auto items = adopt::reachable(code, roots);
-    return mentions(technique.script, name) || std::ranges::any_of(items, [&](std::size_t i) {
-               const auto* variable = std::get_if<adopt::Variable>(&code.items[i]);
-               return variable && variable->name.text == name;
+bool reads(const Effect& effect, const Technique& technique, const std::string& name) {
+    const auto shaderReads = [&](const std::optional<ShaderReference>& shader) {
+        if (!shader) return false;
+        const adopt::Code code = adopt::readCode(shader->code.empty() ? effect.code : shader->code);
+        return std::ranges::any_of(adopt::reachable(code, {shader->entry}), [&](std::size_t i) {
+            const auto* variable = std::get_if<adopt::Variable>(&code.items[i]);
+            return variable && variable->name.text == name;
+        });
+    };
+    return mentions(technique.script, name) || std::ranges::any_of(technique.passes, [&](const Pass& pass) {
+               return mentions(pass.script, name) || mentions(pass.annotations, name) || shaderReads(pass.vertexShader) ||
+                      shaderReads(pass.pixelShader) || shaderReads(pass.geometryShader) || shaderReads(pass.computeShader);
            });
 }
 
@@ -51,10 +53,9 @@ std::vector<Diagnostic> unreadValues(const std::vector<std::string>& sets, const
         const std::string name = set.substr(0, set.find('='));
         const Parameter* parameter = effect.findParameter(name);
         if (!parameter || wasRead(*parameter, drawn)) continue;
-        const adopt::Code code = adopt::readCode(effect.code);
         std::vector<std::string> others;
         for (const Technique& technique : effect.techniques)
-            if (technique.name != drawn.technique && reads(code, technique, name)) others.push_back(technique.name);
+            if (technique.name != drawn.technique && reads(effect, technique, name)) others.push_back(technique.name);
         warnings.push_back({.severity = Severity::Warning,
                             .code = 8029,
                             .at = {},

@@ -275,7 +275,7 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, up), under, gCoatVariation * (1.0 - far));
     p.shift = kLockShift * looks.more.y;
     float open = coatOpen(ribbonWorld(frame, seen, input), pixel);
-    float3 color = lockLight(p, tgSafeNormalize(frame.toLight - offset), gLightColor, open, under) + lockSurroundings(p, up);
+    float3 color = lockLight(p, tgSafeNormalize(ribbonToLight(frame, offset)), gLightColor, open, under) + lockSurroundings(p, up);
     if (under < 0.5)
         color += lockRim(p, up);
     return WITH_LAMPS(color, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
@@ -344,7 +344,7 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
         TgRibbon ribbon = tgRibbon(input.uv.x);
         LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, TG_LAYER_INDEX(gFurChild), 0.0);
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
-        float3 aside = tgSafeNormalize(cross(place.tangent, frame.toLight - place.offset));
+        float3 aside = tgSafeNormalize(cross(place.tangent, ribbonToLight(frame, place.offset)));
         float3 world = ribbonWorld(frame, place.offset, input);
         float radius = share.width * lockRadius(looks, ribbon.along, 0.0);
         float2 width = tgRibbonWidth(radius, pixel);

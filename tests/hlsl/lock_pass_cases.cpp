@@ -97,6 +97,13 @@ std::vector<FunctionCase> colours() {
     });
     cases.back().globals["gLightColor"] = numbersOf(kFurColour);
     setAll(cases.back(), {"gCoatShine", "gCoatSheen", "gCoatThrough"}, {0});
+    add([](const Inputs& x) { // of parallel light, which comes from the same direction wherever the strand is
+        const Coloured c(x);
+        return values(kFurColour * c.albedo * dull(c.normal, c.tangent, glm::normalize(c.toLight)));
+    });
+    cases.back().globals["gLightColor"] = numbersOf(kFurColour);
+    cases.back().globals["gLightViewProjection"] = {0.01, 0, 0, 0, 0, 0.01, 0, 0, 0, 0, -0.002, 0, 0, 0, 0.9, 1};
+    setAll(cases.back(), {"gCoatShine", "gCoatSheen", "gCoatThrough"}, {0});
     add([](const Inputs& x) { // sky and ground alike: what the coat around leaves of them
         const Coloured c(x);
         const double gap = (0.2 + 0.8 * share(1.1 * c.up())) * (0.55 + 0.45 * share(1.4 * c.along));

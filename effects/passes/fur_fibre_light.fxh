@@ -11,17 +11,26 @@ Texture2D gFibrePathMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F")
 TG_SAMPLER2D(gFibreBright, LINEAR, CLAMP);
 TG_SAMPLER2D(gFibrePath, LINEAR, CLAMP);
 
-// Of the opacity map, as kCoatLayers, kCoatOwn and kCoatSoft, where it counts the strands that light passes; and how high its front is,
-// shares of the coat: all but a few tips end below.
+// Of the opacity map, as kCoatLayers, kCoatOwn and kCoatSoft, where it counts the strands that light passes.
 static const float4 kFibreLayers = float4(0.2, 0.45, 1.0, 4.0);
 static const float kFibreOwn = 0.03;
 static const float kFibreSoft = 6.0;
-static const float kFibreFront = 0.65;
+static const float kFibreTips = 0.66;     // mean height of tips of a coat that stands upright
+static const float2 kFibreLie = float2(1.19, 0.304); // as lockLooks lays its strands, on average
 static const float kFibreUnder = 0.45;   // share of a strand's shadow that underfur throws
 static const float kFibreLevel = 0.15;   // least cosine of ways through a coat,
 static const float kFibreGrazing = 0.02; // and how softly it ends towards the horizon
 static const float kFibreDeep = 4.0;     // strands above the skin, along the normal, where nothing counts them
 static const float kFibreMost = 10.0;    // strands, whose blur is nearly even
+
+// Strands that light has passed before it comes to a point of the coat, and the share that the skin leaves of it. pixel: as of coatOpacity.
+float2 fibrePassed(float3 world, float pixel)
+{
+    float2 place = tgShadowCoordinate(mul(float4(world, 1.0), gLightViewProjection));
+    float distance = furFromLight(world);
+    float depth = coatDepth(place, distance) - kFibreOwn;
+    return float2(coatOpacity(place, depth, pixel, kFibreLayers, kFibreSoft), coatSkinOpen(place, distance));
+}
 
 struct FibreMaps
 {
@@ -145,14 +154,16 @@ float3 fibreSurroundings(FibrePoint p, float3 normal, float height)
 #define WITH_SURROUNDINGS(light, more) light
 #endif
 
+// The front is as high as tips are on average: light that grazes a higher one runs through thicknesses without strands, of which the layers
+// make an even rise, and the outermost strands are dark.
+CoatFrontVarying FibreFrontVS(VertexInput input)
+{
+    return coatFrontVarying(input, kFibreTips * (1.0 - kFibreLie.y * min(kFibreLie.x * gCoatLean, 1.75)));
+}
+
 float4 FibreOpacityPS(OpacityVarying input) : SV_Target0
 {
     return opacityBefore(input, kFibreLayers);
-}
-
-CoatFrontVarying FibreFrontVS(VertexInput input)
-{
-    return coatFrontVarying(input, kFibreFront);
 }
 
 #endif

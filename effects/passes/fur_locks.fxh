@@ -291,7 +291,7 @@ LockSeen lockSeen(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 of
 
 float3 fibreColor(LockSeen s, float3 toLight, float under, VertexInput input)
 {
-    float2 passed = coatPassed(s.world, s.pixel, kFibreLayers, kFibreOwn, kFibreSoft);
+    float2 passed = fibrePassed(s.world, s.pixel);
     if (kTgFewSlots)
         return lockLight(s.lit, toLight, gLightColor, exp(-passed.x) * passed.y, under);
     FibrePoint p;
@@ -436,7 +436,7 @@ float4 FibreUndercoatPS(FurVarying input) : SV_Target0
     float3 normal = tgWorldNormal(input.normal);
     float pixel = ribbonPixel() * length(gCameraPosition - input.world);
     float3 albedo = undercoatAlbedo(dot(normal, gFurDown), pixel);
-    float2 passed = coatPassed(input.world, pixel, kFibreLayers, kFibreOwn, kFibreSoft);
+    float2 passed = fibrePassed(input.world, pixel);
     float3 depth = tgFibreDepth(tgFibreAlbedo(tgFibreAbsorption(albedo))) * passed.x;
     float cosine = dot(normal, tgLightDirection(input.world));
     float up = fibreCosine(cosine);

@@ -96,32 +96,35 @@ float4 OpacityPS(OpacityVarying input) : SV_Target0
     return opacityBefore(input, kCoatLayers);
 }
 
-// Strands that light has passed before it comes to a point of the coat, and the share that the skin leaves of it. pixel: of the picture
-// there, in the world; what it cannot show would only flicker. layers, own, softest: as kCoatLayers, kCoatOwn, kCoatSoft.
-float2 coatPassed(float3 world, float pixel, float4 layers, float own, float softest)
+// Of strands, before this depth, thicknesses. pixel: of the picture there, in the world; what it cannot show would only flicker. layers,
+// softest: as kCoatLayers, kCoatSoft.
+float coatOpacity(float2 place, float depth, float pixel, float4 layers, float softest)
 {
-    float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    float2 place = tgShadowCoordinate(lightClip);
-    float distance = furFromLight(world);
-    float depth = coatDepth(place, distance);
     float texel = 2.0 / kTgMapSize * (tgLightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar)) * tgLightSpread(); // amid the mesh, mm
     float4 sums = tex2Dlod(gCoatOpacity, float4(place, 0.0, log2(max(pixel * (kCoatBlur * tgMillimetres(1.0) / texel), softest))));
-    float opacity = tgFurOpacity(sums, layers, depth - own);
-    // Behind the skin: soft, for strands stand on it and lean over its edges. Taps stand one above the other: a mirror leaves them there.
+    return tgFurOpacity(sums, layers, depth);
+}
+
+// Share of the light that the skin leaves at this distance from the light: soft, for strands stand on it and lean over its edges. Taps
+// stand one above the other: a mirror leaves them there.
+float coatSkinOpen(float2 place, float distance)
+{
     float2 aside = float2(0.0, 0.7 / kTgMapSize);
     float2 skin = float2(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0)).x,
                          tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0)).x);
     // 0: there is none. Not tgShadowStored: vertex shader model 3 selects by c + (b - c), which loses what a large c stands beside.
     float soft = tgMillimetres(gMeshRadius) * max(kCoatSkinSoft * gFurLength, kCoatSkinLeast);
     float2 behind = saturate((distance - skin) / soft) * step(1e-6, skin);
-    return float2(opacity, 1.0 - 0.5 * dot(behind, 1.0));
+    return 1.0 - 0.5 * dot(behind, 1.0);
 }
 
-// Share of the light that comes to a point of the coat. pixel: as of coatPassed.
+// Share of the light that comes to a point of the coat. pixel: as above.
 float coatOpen(float3 world, float pixel)
 {
-    float2 passed = coatPassed(world, pixel, kCoatLayers, kCoatOwn, kCoatSoft);
-    return exp(-gCoatShadow * passed.x) * passed.y;
+    float2 place = tgShadowCoordinate(mul(float4(world, 1.0), gLightViewProjection));
+    float distance = furFromLight(world);
+    float opacity = coatOpacity(place, coatDepth(place, distance) - kCoatOwn, pixel, kCoatLayers, kCoatSoft);
+    return exp(-gCoatShadow * opacity) * coatSkinOpen(place, distance);
 }
 
 #endif

@@ -8,7 +8,7 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// I0(x) / e^x to 2e-7: M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 9.8.1 and 9.8.2.
 double scaledBessel(double x) {
@@ -41,7 +41,7 @@ double logisticShare(double x, double scale) {
 }
 
 double fromMinusPi(double angle) {
-    return angle - 2 * kPi * std::floor(angle / (2 * kPi) + 0.5);
+    return angle - 2 * pi * std::floor(angle / (2 * pi) + 0.5);
 }
 
 double powerOf(double x, int exponent) {
@@ -58,7 +58,7 @@ glm::dvec3 fibreAbsorption(const glm::dvec3& colour, double around) {
 }
 
 FibreScattering::FibreScattering(const Fibre& fibre, const glm::dvec3& absorption, const glm::dvec3& toEye, double offset)
-    : spread_(std::sqrt(kPi / 8) * (0.265 * fibre.around + 1.194 * powerOf(fibre.around, 2) + 5.372 * powerOf(fibre.around, 22))),
+    : spread_(std::sqrt(pi / 8) * (0.265 * fibre.around + 1.194 * powerOf(fibre.around, 2) + 5.372 * powerOf(fibre.around, 22))),
       eye_(std::atan2(toEye.z, toEye.y)) {
     const double sine = std::clamp(toEye.x, -1.0, 1.0);
     const double cosine = std::max(std::sqrt(1 - sine * sine), 1e-6);
@@ -84,7 +84,7 @@ FibreScattering::FibreScattering(const Fibre& fibre, const glm::dvec3& absorptio
         lobe.sine = sine * std::cos(tilt) + cosine * std::sin(tilt);
         lobe.cosine = std::abs(cosine * std::cos(tilt) - sine * std::sin(tilt));
         lobe.variance = variances[p];
-        lobe.azimuth = static_cast<double>(p) * (2 * inside + kPi) - 2 * outside;
+        lobe.azimuth = static_cast<double>(p) * (2 * inside + pi) - 2 * outside;
         lobe.chance = (lobe.share.x + lobe.share.y + lobe.share.z) / 3;
         sum += lobe.chance;
     }
@@ -93,10 +93,10 @@ FibreScattering::FibreScattering(const Fibre& fibre, const glm::dvec3& absorptio
 }
 
 double FibreScattering::around(std::size_t lobe, double azimuth) const {
-    if (lobe + 1 == kLobes) return 1 / (2 * kPi);
+    if (lobe + 1 == kLobes) return 1 / (2 * pi);
     const double x = std::abs(fromMinusPi(azimuth - lobes_[lobe].azimuth));
     const double e = std::exp(-x / spread_);
-    const double whole = logisticShare(kPi, spread_) - logisticShare(-kPi, spread_);
+    const double whole = logisticShare(pi, spread_) - logisticShare(-pi, spread_);
     return e / (spread_ * (1 + e) * (1 + e) * whole);
 }
 
@@ -132,11 +132,11 @@ FibreScattering::Sampled FibreScattering::sample(const std::array<double, 4>& ra
     // d'Eon et al. 2013, An Energy-Conserving Hair Reflectance Model, sampling.
     const double up = 1 + lobe.variance * std::log(std::max(random[1], 1e-300) + (1 - random[1]) * std::exp(-2 / lobe.variance));
     const double aside = std::sqrt(std::max(1 - up * up, 0.0));
-    const double sine = std::clamp(-up * lobe.sine + aside * std::cos(2 * kPi * random[2]) * lobe.cosine, -1.0, 1.0);
-    double azimuth = 2 * kPi * random[3];
+    const double sine = std::clamp(-up * lobe.sine + aside * std::cos(2 * pi * random[2]) * lobe.cosine, -1.0, 1.0);
+    double azimuth = 2 * pi * random[3];
     if (p + 1 < kLobes) {
-        const double low = logisticShare(-kPi, spread_);
-        const double share = std::clamp(low + random[3] * (logisticShare(kPi, spread_) - low), 1e-300, 1 - 1e-16);
+        const double low = logisticShare(-pi, spread_);
+        const double share = std::clamp(low + random[3] * (logisticShare(pi, spread_) - low), 1e-300, 1 - 1e-16);
         azimuth = lobe.azimuth - spread_ * std::log(1 / share - 1);
     }
     const double cosine = std::sqrt(1 - sine * sine);

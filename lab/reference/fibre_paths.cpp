@@ -15,7 +15,7 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kBeforeRoulette = 16;  // bounces
 constexpr int kMostBounces = 4096;   // of a path that roulette has spared
 constexpr double kOffFibre = 1e-2;   // how far from the surface rays start, radii of the fibre
@@ -67,6 +67,13 @@ struct Controls {
     }
 };
 
+/// A ray, and how far along it no fibre is met: within the one that it leaves. Skin may be nearer.
+struct PathRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    double within = 0;
+};
+
 /// Where a path is.
 struct Vertex {
     glm::dvec3 place{0};
@@ -86,33 +93,33 @@ struct FibrePaths::State {
         : scene(std::move(given)), absorption(fibreAbsorption(scene.colour, scene.fibre.around)),
           curves(std::move(controls.points), controls.starts, 0), skin(scene.skin ? std::make_unique<RayScene>(*scene.skin) : nullptr) {}
 
-    [[nodiscard]] std::optional<Vertex> meet(const glm::dvec3& origin, const glm::dvec3& direction) const {
-        const auto fibre = curves.nearest(glm::vec3(origin), glm::vec3(direction));
-        const auto hit = skin ? skin->nearest(origin, direction) : std::nullopt;
+    [[nodiscard]] std::optional<Vertex> meet(const PathRay& ray) const {
+        const auto fibre = curves.nearest(glm::vec3(ray.origin), glm::vec3(ray.direction), {.first = static_cast<float>(ray.within)});
+        const auto hit = skin ? skin->nearest(ray.origin, ray.direction) : std::nullopt;
         if (hit && (!fibre || hit->distance < static_cast<double>(fibre->distance))) {
             const glm::dvec3 normal = glm::normalize(interpolate(*scene.skin, hit->place).normal);
-            return Vertex{origin + hit->distance * direction, glm::dot(normal, direction) > 0 ? -normal : normal, std::nullopt};
+            return Vertex{ray.origin + hit->distance * ray.direction, glm::dot(normal, ray.direction) > 0 ? -normal : normal, std::nullopt};
         }
         if (!fibre) return std::nullopt;
-        return Vertex{origin + static_cast<double>(fibre->distance) * direction, fibre->normal, fibre};
+        return Vertex{ray.origin + static_cast<double>(fibre->distance) * ray.direction, fibre->normal, fibre};
     }
 
-    [[nodiscard]] bool open(const glm::dvec3& origin, const glm::dvec3& direction, double distance) const {
-        const RayRange range{.first = 0, .last = static_cast<float>(distance)};
-        if (curves.meetsAny(glm::vec3(origin), glm::vec3(direction), range)) return false;
-        const auto hit = skin ? skin->nearest(origin, direction) : std::nullopt;
+    [[nodiscard]] bool open(const PathRay& ray, double distance) const {
+        const RayRange range{.first = static_cast<float>(ray.within), .last = static_cast<float>(distance)};
+        if (curves.meetsAny(glm::vec3(ray.origin), glm::vec3(ray.direction), range)) return false;
+        const auto hit = skin ? skin->nearest(ray.origin, ray.direction) : std::nullopt;
         return !hit || hit->distance > distance;
     }
 
-    /// Where a ray that leaves a fibre in this direction starts: on this side, or where it comes out on the other one.
-    static glm::dvec3 leave(const Vertex& at, const glm::dvec3& direction) {
+    /// A ray that leaves a fibre in this direction: from this side, or through it to the other one.
+    static PathRay leave(const Vertex& at, const glm::dvec3& direction) {
         const CurveHit& fibre = *at.fibre;
         const double cosine = glm::dot(at.normal, direction);
-        const glm::dvec3 off = kOffFibre * fibre.radius * at.normal;
-        if (cosine >= 0) return at.place + off;
+        const glm::dvec3 origin = at.place + (kOffFibre * fibre.radius) * at.normal;
+        if (cosine >= 0) return {origin, direction};
         const double along = glm::dot(direction, fibre.axis);
         const double chord = std::min(-2 * cosine / std::max(1 - along * along, 1e-6), kLongestChord) * fibre.radius;
-        return at.place + (chord * (1 + kOffFibre)) * direction;
+        return {origin, direction, chord * (1 + 3 * kOffFibre)};
     }
 
     /// From a place to a light: where to, unit, and how far.
@@ -128,20 +135,19 @@ struct FibrePaths::State {
         // Evenly over the cone that the sphere fills.
         const double sine2 = std::min(light.radius * light.radius / (distance * distance), 1.0);
         const double cosine = 1 - random.next() * (1 - std::sqrt(1 - sine2));
-        const double turn = 2 * kPi * random.next();
+        const double turn = 2 * pi * random.next();
         const double aside = std::sqrt(std::max(1 - cosine * cosine, 0.0));
         const glm::dvec3 direction = Frame3(way / distance).outside({cosine, aside * std::cos(turn), aside * std::sin(turn)});
         return {direction, std::max(distance - light.radius, 0.0)};
     }
 
-    [[nodiscard]] glm::dvec3 radiance(glm::dvec3 origin, glm::dvec3 direction, PathRandom random) const {
+    [[nodiscard]] glm::dvec3 radiance(PathRay ray, PathRandom random) const {
         glm::dvec3 sum(0);
         glm::dvec3 throughput(1);
         for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-            const auto at = meet(origin, direction);
-            if (!at) return scene.environment ? sum + throughput * scene.environment(direction) : sum;
-            const glm::dvec3 scattered =
-                at->fibre ? fibre(*at, origin, direction, throughput, random) : dull(*at, origin, direction, throughput, random);
+            const auto at = meet(ray);
+            if (!at) return scene.environment ? sum + throughput * scene.environment(ray.direction) : sum;
+            const glm::dvec3 scattered = at->fibre ? fibre(*at, ray, throughput, random) : dull(*at, ray, throughput, random);
             sum += scattered;
             if (bounce < kBeforeRoulette) continue;
             const double goesOn = std::min(std::max({throughput.x, throughput.y, throughput.z}), 1.0);
@@ -153,9 +159,9 @@ struct FibrePaths::State {
 
 private:
     /// Both: light that comes straight here, times the throughput before; then the path goes on.
-    glm::dvec3 fibre(const Vertex& at, glm::dvec3& origin, glm::dvec3& direction, glm::dvec3& throughput, PathRandom& random) const {
+    glm::dvec3 fibre(const Vertex& at, PathRay& ray, glm::dvec3& throughput, PathRandom& random) const {
         const Frame3 frame(at.fibre->axis);
-        const glm::dvec3 toEye = frame.inside(-direction);
+        const glm::dvec3 toEye = frame.inside(-ray.direction);
         const glm::dvec3 normal = frame.inside(at.normal);
         const double aside = std::hypot(toEye.y, toEye.z) * std::hypot(normal.y, normal.z);
         const double offset = (normal.y * toEye.z - normal.z * toEye.y) / std::max(aside, 1e-12);
@@ -163,32 +169,30 @@ private:
         glm::dvec3 sum(0);
         for (const FibreLight& light : scene.lights) {
             const ToLight to = towards(light, at.place, random);
-            if (open(leave(at, to.direction), to.direction, to.distance))
-                sum += kPi * light.colour * scattering.evaluate(frame.inside(to.direction));
+            if (open(leave(at, to.direction), to.distance)) sum += pi * light.colour * scattering.evaluate(frame.inside(to.direction));
         }
         sum *= throughput;
         const double a = random.next(), b = random.next(), c = random.next(), d = random.next();
         const auto sampled = scattering.sample({a, b, c, d});
         throughput *= sampled.weight;
-        direction = frame.outside(sampled.toLight);
-        origin = leave(at, direction);
+        ray = leave(at, frame.outside(sampled.toLight));
         return sum;
     }
 
-    glm::dvec3 dull(const Vertex& at, glm::dvec3& origin, glm::dvec3& direction, glm::dvec3& throughput, PathRandom& random) const {
-        origin = at.place + kOffSkin * at.normal;
+    glm::dvec3 dull(const Vertex& at, PathRay& ray, glm::dvec3& throughput, PathRandom& random) const {
+        const glm::dvec3 origin = at.place + kOffSkin * at.normal;
         throughput *= scene.skinColour;
         glm::dvec3 sum(0);
         for (const FibreLight& light : scene.lights) {
             const ToLight to = towards(light, at.place, random);
             const double cosine = glm::dot(at.normal, to.direction);
-            if (cosine > 0 && open(origin, to.direction, to.distance)) sum += cosine * light.colour;
+            if (cosine > 0 && open({origin, to.direction}, to.distance)) sum += cosine * light.colour;
         }
         sum *= throughput;
         const double square = random.next();
-        const double turn = 2 * kPi * random.next();
+        const double turn = 2 * pi * random.next();
         const double aside = std::sqrt(square);
-        direction = Frame3(at.normal).outside({std::sqrt(1 - square), aside * std::cos(turn), aside * std::sin(turn)});
+        ray = {origin, Frame3(at.normal).outside({std::sqrt(1 - square), aside * std::cos(turn), aside * std::sin(turn)})};
         return sum;
     }
 };
@@ -201,7 +205,7 @@ FibrePaths::FibrePaths(FibreScene scene) {
 FibrePaths::~FibrePaths() = default;
 
 glm::dvec3 FibrePaths::radiance(const glm::dvec3& origin, const glm::dvec3& direction, std::uint64_t path) const {
-    return state_->radiance(origin, direction, PathRandom(path));
+    return state_->radiance({origin, direction}, PathRandom(path));
 }
 
 void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& sums) const {
@@ -223,10 +227,10 @@ void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& 
                 const glm::dvec3 aside = u * camera.tangentX * camera.right + v * camera.tangentY * camera.up;
                 const glm::dvec3 origin = camera.parallel ? camera.eye + aside : camera.eye;
                 const glm::dvec3 direction = camera.parallel ? camera.forward : glm::normalize(camera.forward + aside);
-                const glm::dvec3 seen = state_->radiance(origin, direction, random);
+                const glm::dvec3 seen = state_->radiance({origin, direction}, random);
                 sums.sum[pixel] += seen;
                 sums.square[pixel] += seen * seen;
-                sums.covered[pixel] += state_->meet(origin, direction) ? 1 : 0;
+                sums.covered[pixel] += state_->meet({origin, direction}) ? 1 : 0;
             }
     });
     sums.samples = std::max(sums.samples, samples);
@@ -261,7 +265,7 @@ double FibreSums::noise(int block) const {
 
 namespace {
 
-constexpr char kMagic[8] = {'T', 'G', 'F', 'I', 'B', 'R', 'E', '1'};
+constexpr char kSumsMagic[8] = {'T', 'G', 'F', 'I', 'B', 'R', 'E', '1'};
 
 struct SumsHead {
     char magic[8];
@@ -287,7 +291,7 @@ void take(const std::string& bytes, std::size_t& at, std::vector<Value>& values,
 
 Result<void> saveSums(const std::filesystem::path& file, const FibreSums& sums, std::uint64_t scene) {
     SumsHead head{.magic = {}, .scene = scene, .samples = sums.samples, .width = sums.width, .height = sums.height};
-    std::copy_n(kMagic, sizeof kMagic, head.magic);
+    std::copy_n(kSumsMagic, sizeof kSumsMagic, head.magic);
     std::string bytes;
     append(bytes, &head, 1);
     append(bytes, sums.sum.data(), sums.sum.size());
@@ -304,7 +308,7 @@ FibreSums loadSums(const std::filesystem::path& file, std::uint64_t scene) {
     std::memcpy(&head, bytes->data(), sizeof head);
     const auto pixels = static_cast<std::size_t>(std::max(head.width, 0)) * static_cast<std::size_t>(std::max(head.height, 0));
     const std::size_t whole = sizeof head + pixels * (2 * sizeof(glm::dvec3) + sizeof(double));
-    if (!std::equal(kMagic, kMagic + sizeof kMagic, head.magic) || head.scene != scene || bytes->size() != whole) return {};
+    if (!std::equal(kSumsMagic, kSumsMagic + sizeof kSumsMagic, head.magic) || head.scene != scene || bytes->size() != whole) return {};
     FibreSums sums{.width = head.width, .height = head.height, .samples = head.samples, .sum = {}, .square = {}, .covered = {}};
     std::size_t at = sizeof head;
     take(*bytes, at, sums.sum, pixels);

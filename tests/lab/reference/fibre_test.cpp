@@ -40,7 +40,7 @@ struct Seen {
 };
 const std::vector<Seen> kSeen = {{0, 0, 0}, {0.3, 1, 0.5}, {-0.6, 2, -0.8}, {1.0, -1, 0.95}};
 
-/// Strands on a ball of 10 mm, leaning, of `count` roots.
+/// Strands on a ball of 10 mm, leaning, of `count` roots below its surface.
 FibreScene ball(std::size_t count, const Mesh& skin) {
     FibreScene scene;
     scene.skin = &skin;
@@ -52,7 +52,7 @@ FibreScene ball(std::size_t count, const Mesh& skin) {
         FibreAxis axis;
         for (int k = 0; k <= 3; ++k) {
             const double along = k / 3.0;
-            axis.emplace_back(glm::vec3(10.0 * up + 2 * along * (up + along * lean)), static_cast<float>(0.08 * (1 - 0.8 * along)));
+            axis.emplace_back(glm::vec3(9.8 * up + 2 * along * (up + along * lean)), static_cast<float>(0.08 * (1 - 0.8 * along)));
         }
         scene.strands.push_back(axis);
     }
@@ -152,6 +152,20 @@ TEST(FibrePaths, see_nothing_of_a_white_coat_in_an_even_environment) {
     for (const double each : sums.covered)
         covered += each;
     EXPECT_GT(covered, 1000) << "there is a coat to see";
+}
+
+TEST(FibrePaths, lead_no_light_through_the_skin) {
+    // Strands pierce it: what enters one of them above may not come out below.
+    const Mesh skin = sphereMesh(10, 4);
+    FibreScene scene = ball(6000, skin);
+    scene.colour = glm::dvec3(0.99);
+    scene.skinColour = glm::dvec3(1);
+    scene.lights = {{.kind = FibreLight::Kind::Parallel, .place = {0, 0, -1}}};
+    const FibrePaths paths(scene);
+    double night = 0;
+    for (std::uint64_t path = 0; path < 4000; ++path)
+        night += paths.radiance({1e-3 * static_cast<double>(path % 2000), 0.5, 200}, {0, 0, -1}, path).y / 4000;
+    EXPECT_LT(night, 1e-3) << "the day has 1; with an inside as bright as the outside 0.06";
 }
 
 TEST(FibrePaths, go_on_after_an_interruption_as_if_there_had_been_none) {

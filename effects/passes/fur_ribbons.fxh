@@ -23,7 +23,7 @@ struct RibbonFrame
 {
     float3 world;
     float3 toEye;   // not unit, as the next
-    float3 toLight;
+    float3 toLight; // of parallel light: against its rays
     float perMm;    // world units in a mm of the roots' mesh
 };
 
@@ -50,15 +50,28 @@ bool ribbonDrawn(VertexInput input, float rank, float share)
     return input.uv.y >= kTgRibbonFirst && rank < share;
 }
 
+// 1, or 0 where light is parallel. A factor, for shader model 3 has no slot left for two choices.
+float ribbonPointLight()
+{
+    return tgLightParallel() ? 0.0 : 1.0;
+}
+
 // ball: of the roots' mesh.
 RibbonFrame ribbonFrame(VertexInput input, float4 ball)
 {
     RibbonFrame frame;
     frame.world = tgWorldPosition(meshVertex(input).position);
     frame.toEye = strandsAxes(gCameraPosition - frame.world, input);
-    frame.toLight = strandsAxes(tgLightVector(frame.world), input);
+    float near = ribbonPointLight();
+    frame.toLight = strandsAxes(near * (gLightPosition - frame.world) - (1.0 - near) * tgLightRays(), input);
     frame.perMm = gMeshRadius / max(ball.w, 1e-20);
     return frame;
+}
+
+// From this place of the strand to the light, not unit: parallel light comes to all of them from where it comes to the root.
+float3 ribbonToLight(RibbonFrame frame, float3 offset)
+{
+    return frame.toLight - ribbonPointLight() * offset;
 }
 
 // Least cosine of a root's normal and the way to the eye: what looks further away is hidden. Over the horizon of a ball of radius R strands

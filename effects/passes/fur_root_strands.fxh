@@ -87,7 +87,7 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     float height = along * strand.share;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, along) * strand.tint;
     float3 axis = tgFurAlong(strand.normal + 2.0 * height * strand.lean);
-    float3 toLight = tgSafeNormalize(frame.toLight - offset);
+    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
     float3 world = ribbonWorld(frame, offset, input);
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
     float open = furSkinShadow(lightClip, furFromLight(world)) *

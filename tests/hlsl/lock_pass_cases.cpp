@@ -59,7 +59,7 @@ FunctionCase lamps() {
 constexpr const char* kColourBody =
     "LockLooks l = (LockLooks)0; l.strand.normal = a0; l.waves = -1.0; l.more = float3(a5.x, 0, 0); l.lock = float3(0, a5.y, 0); "
     "l.random = 0.5; TgRibbon r; r.along = a3.x; r.shortness = a3.y; r.color = 0.25; RibbonFrame f = (RibbonFrame)0; f.toEye = a4; "
-    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, (VertexInput)0); return float4(color, 0);";
+    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, false, (VertexInput)0); return float4(color, 0);";
 
 /// Arguments as they stand in the body.
 struct Coloured {
@@ -97,6 +97,14 @@ std::vector<FunctionCase> colours() {
     });
     cases.back().globals["gLightColor"] = numbersOf(kFurColour);
     setAll(cases.back(), {"gCoatShine", "gCoatSheen", "gCoatThrough"}, {0});
+    add([](const Inputs& x) { // of parallel light, which comes from the same direction wherever the strand is
+        const Coloured c(x);
+        return values(kFurColour * c.albedo * dull(c.normal, c.tangent, glm::normalize(c.toLight)));
+    });
+    cases.back().globals["gLightColor"] = numbersOf(kFurColour);
+    cases.back().globals["gLightViewProjection"] = {0.01, 0, 0, 0, 0, 0.01, 0, 0, 0, 0, -0.002, 0, 0, 0, 0.9, 1};
+    setAll(cases.back(), {"gCoatShine", "gCoatSheen", "gCoatThrough"}, {0});
+    cases.back().domain = [](const Inputs& x) { return Coloured(x).plain() && glm::length(x.vec3(6)) > 1; };
     add([](const Inputs& x) { // sky and ground alike: what the coat around leaves of them
         const Coloured c(x);
         const double gap = (0.2 + 0.8 * share(1.1 * c.up())) * (0.55 + 0.45 * share(1.4 * c.along));
@@ -156,7 +164,7 @@ std::vector<FunctionCase> vertices() {
                          : LockShare(pixel, 0.7, 4, s.child + rootRank(s.address));
         };
         cases.push_back(lockCase("lockVarying",
-                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") +
+                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") + ", false" +
                                      "); return float4(v.edge, v.color.w, 0);",
                                  strandArguments(under ? 2 : 3),
                                  [=](const Inputs& x) {

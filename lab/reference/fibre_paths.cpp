@@ -1,0 +1,320 @@
+#include "lab/reference/fibre_paths.h"
+
+#include "host/support/file.h"
+#include "host/support/parallel.h"
+#include "host/support/rays/curve_tree.h"
+#include "host/support/rays/surface_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <optional>
+
+namespace tegument::reference {
+
+namespace {
+
+using std::numbers::pi;
+constexpr int kBeforeRoulette = 16;  // bounces
+constexpr int kMostBounces = 4096;   // of a path that roulette has spared
+constexpr double kOffFibre = 1e-2;   // how far from the surface rays start, radii of the fibre
+constexpr double kOffSkin = 1e-4;    // mm
+constexpr double kLongestChord = 30; // radii, of light that runs within a fibre along it
+
+/// Numbers in [0, 1) of a path: SplitMix64 (G. Steele et al. 2014) from a start that mixes its number.
+class PathRandom {
+public:
+    explicit PathRandom(std::uint64_t path) : state_(path * 0xD1342543DE82EF95ULL + 1) { next(); }
+    double next() {
+        state_ += 0x9E3779B97F4A7C15ULL;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+        return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+/// Any frame about an axis, unit.
+struct Frame3 {
+    glm::dvec3 x, y, z;
+    explicit Frame3(const glm::dvec3& axis)
+        : x(axis), y(glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)))),
+          z(glm::cross(x, y)) {}
+    [[nodiscard]] glm::dvec3 inside(const glm::dvec3& v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
+    [[nodiscard]] glm::dvec3 outside(const glm::dvec3& v) const { return v.x * x + v.y * y + v.z * z; }
+};
+
+/// Pieces between neighbouring joints: collinear, evenly spaced control points make a cubic the straight piece itself.
+struct Controls {
+    std::vector<glm::vec4> points;
+    std::vector<std::uint32_t> starts;
+
+    explicit Controls(const std::vector<FibreAxis>& strands) {
+        for (const FibreAxis& axis : strands)
+            for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+                const glm::vec4 step = axis[i + 1] - axis[i];
+                starts.push_back(static_cast<std::uint32_t>(points.size()));
+                for (glm::vec4 point : {axis[i] - step, axis[i], axis[i + 1], axis[i + 1] + step}) {
+                    constexpr float kThinnest = 1e-5F;
+                    point.w = std::max(point.w, kThinnest);
+                    points.push_back(point);
+                }
+            }
+    }
+};
+
+/// A ray, and how far along it no fibre is met: within the one that it leaves. Skin may be nearer.
+struct PathRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    double within = 0;
+};
+
+/// Where a path is.
+struct Vertex {
+    glm::dvec3 place{0};
+    glm::dvec3 normal{0};
+    std::optional<CurveHit> fibre; // none: skin
+};
+
+} // namespace
+
+struct FibrePaths::State {
+    FibreScene scene;
+    glm::dvec3 absorption;
+    CurveTree curves;
+    std::unique_ptr<RayScene> skin;
+
+    State(FibreScene given, Controls controls)
+        : scene(std::move(given)), absorption(fibreAbsorption(scene.colour, scene.fibre.around)),
+          curves(std::move(controls.points), controls.starts, 0), skin(scene.skin ? std::make_unique<RayScene>(*scene.skin) : nullptr) {}
+
+    [[nodiscard]] std::optional<Vertex> meet(const PathRay& ray) const {
+        const auto fibre = curves.nearest(glm::vec3(ray.origin), glm::vec3(ray.direction), {.first = static_cast<float>(ray.within)});
+        const auto hit = skin ? skin->nearest(ray.origin, ray.direction) : std::nullopt;
+        if (hit && (!fibre || hit->distance < static_cast<double>(fibre->distance))) {
+            const glm::dvec3 normal = glm::normalize(interpolate(*scene.skin, hit->place).normal);
+            return Vertex{ray.origin + hit->distance * ray.direction, glm::dot(normal, ray.direction) > 0 ? -normal : normal, std::nullopt};
+        }
+        if (!fibre) return std::nullopt;
+        return Vertex{ray.origin + static_cast<double>(fibre->distance) * ray.direction, fibre->normal, fibre};
+    }
+
+    [[nodiscard]] bool open(const PathRay& ray, double distance) const {
+        const RayRange range{.first = static_cast<float>(ray.within), .last = static_cast<float>(distance)};
+        if (curves.meetsAny(glm::vec3(ray.origin), glm::vec3(ray.direction), range)) return false;
+        const auto hit = skin ? skin->nearest(ray.origin, ray.direction) : std::nullopt;
+        return !hit || hit->distance > distance;
+    }
+
+    /// A ray that leaves a fibre in this direction: from this side, or through it to the other one.
+    static PathRay leave(const Vertex& at, const glm::dvec3& direction) {
+        const CurveHit& fibre = *at.fibre;
+        const double cosine = glm::dot(at.normal, direction);
+        const glm::dvec3 origin = at.place + (kOffFibre * fibre.radius) * at.normal;
+        if (cosine >= 0) return {origin, direction};
+        const double along = glm::dot(direction, fibre.axis);
+        const double chord = std::min(-2 * cosine / std::max(1 - along * along, 1e-6), kLongestChord) * fibre.radius;
+        return {origin, direction, chord * (1 + 3 * kOffFibre)};
+    }
+
+    /// From a place to a light: where to, unit, and how far.
+    struct ToLight {
+        glm::dvec3 direction;
+        double distance;
+    };
+    static ToLight towards(const FibreLight& light, const glm::dvec3& from, PathRandom& random) {
+        if (light.kind == FibreLight::Kind::Parallel) return {light.place, std::numeric_limits<double>::infinity()};
+        const glm::dvec3 way = light.place - from;
+        const double distance = glm::length(way);
+        if (light.kind == FibreLight::Kind::Point) return {way / distance, distance};
+        // Evenly over the cone that the sphere fills.
+        const double sine2 = std::min(light.radius * light.radius / (distance * distance), 1.0);
+        const double cosine = 1 - random.next() * (1 - std::sqrt(1 - sine2));
+        const double turn = 2 * pi * random.next();
+        const double aside = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+        const glm::dvec3 direction = Frame3(way / distance).outside({cosine, aside * std::cos(turn), aside * std::sin(turn)});
+        return {direction, std::max(distance - light.radius, 0.0)};
+    }
+
+    [[nodiscard]] glm::dvec3 radiance(PathRay ray, PathRandom random) const {
+        glm::dvec3 sum(0);
+        glm::dvec3 throughput(1);
+        for (int bounce = 0; bounce < kMostBounces; ++bounce) {
+            const auto at = meet(ray);
+            if (!at) return scene.environment ? sum + throughput * scene.environment(ray.direction) : sum;
+            const glm::dvec3 scattered = at->fibre ? fibre(*at, ray, throughput, random) : dull(*at, ray, throughput, random);
+            sum += scattered;
+            if (bounce < kBeforeRoulette) continue;
+            const double goesOn = std::min(std::max({throughput.x, throughput.y, throughput.z}), 1.0);
+            if (random.next() >= goesOn) return sum;
+            throughput /= goesOn;
+        }
+        return sum;
+    }
+
+private:
+    /// Both: light that comes straight here, times the throughput before; then the path goes on.
+    glm::dvec3 fibre(const Vertex& at, PathRay& ray, glm::dvec3& throughput, PathRandom& random) const {
+        const Frame3 frame(at.fibre->axis);
+        const glm::dvec3 toEye = frame.inside(-ray.direction);
+        const glm::dvec3 normal = frame.inside(at.normal);
+        const double aside = std::hypot(toEye.y, toEye.z) * std::hypot(normal.y, normal.z);
+        const double offset = (normal.y * toEye.z - normal.z * toEye.y) / std::max(aside, 1e-12);
+        const FibreScattering scattering(scene.fibre, absorption, toEye, offset);
+        glm::dvec3 sum(0);
+        for (const FibreLight& light : scene.lights) {
+            const ToLight to = towards(light, at.place, random);
+            if (open(leave(at, to.direction), to.distance)) sum += pi * light.colour * scattering.evaluate(frame.inside(to.direction));
+        }
+        sum *= throughput;
+        const double a = random.next(), b = random.next(), c = random.next(), d = random.next();
+        const auto sampled = scattering.sample({a, b, c, d});
+        throughput *= sampled.weight;
+        ray = leave(at, frame.outside(sampled.toLight));
+        return sum;
+    }
+
+    glm::dvec3 dull(const Vertex& at, PathRay& ray, glm::dvec3& throughput, PathRandom& random) const {
+        const glm::dvec3 origin = at.place + kOffSkin * at.normal;
+        throughput *= scene.skinColour;
+        glm::dvec3 sum(0);
+        for (const FibreLight& light : scene.lights) {
+            const ToLight to = towards(light, at.place, random);
+            const double cosine = glm::dot(at.normal, to.direction);
+            if (cosine > 0 && open({origin, to.direction}, to.distance)) sum += cosine * light.colour;
+        }
+        sum *= throughput;
+        const double square = random.next();
+        const double turn = 2 * pi * random.next();
+        const double aside = std::sqrt(square);
+        ray = {origin, Frame3(at.normal).outside({std::sqrt(1 - square), aside * std::cos(turn), aside * std::sin(turn)})};
+        return sum;
+    }
+};
+
+FibrePaths::FibrePaths(FibreScene scene) {
+    Controls controls(scene.strands);
+    state_ = std::make_unique<State>(std::move(scene), std::move(controls));
+}
+
+FibrePaths::~FibrePaths() = default;
+
+glm::dvec3 FibrePaths::radiance(const glm::dvec3& origin, const glm::dvec3& direction, std::uint64_t path) const {
+    return state_->radiance({origin, direction}, PathRandom(path));
+}
+
+void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& sums) const {
+    const std::size_t pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+    if (sums.sum.size() != pixels) {
+        sums = {.width = camera.width, .height = camera.height, .samples = 0, .sum = {}, .square = {}, .covered = {}};
+        sums.sum.resize(pixels, glm::dvec3(0));
+        sums.square.resize(pixels, glm::dvec3(0));
+        sums.covered.resize(pixels, 0);
+    }
+    const auto columns = static_cast<std::size_t>(camera.width);
+    forEachInParallel(static_cast<std::size_t>(camera.height), [&](std::size_t y) {
+        for (std::size_t x = 0; x < columns; ++x)
+            for (std::uint64_t sample = sums.samples; sample < samples; ++sample) {
+                const std::size_t pixel = y * columns + x;
+                PathRandom random(sample * pixels + pixel);
+                const double u = 2 * (static_cast<double>(x) + random.next()) / camera.width - 1;
+                const double v = 1 - 2 * (static_cast<double>(y) + random.next()) / camera.height;
+                const glm::dvec3 aside = u * camera.tangentX * camera.right + v * camera.tangentY * camera.up;
+                const glm::dvec3 origin = camera.parallel ? camera.eye + aside : camera.eye;
+                const glm::dvec3 direction = camera.parallel ? camera.forward : glm::normalize(camera.forward + aside);
+                const glm::dvec3 seen = state_->radiance({origin, direction}, random);
+                sums.sum[pixel] += seen;
+                sums.square[pixel] += seen * seen;
+                sums.covered[pixel] += state_->meet({origin, direction}) ? 1 : 0;
+            }
+    });
+    sums.samples = std::max(sums.samples, samples);
+}
+
+Image FibreSums::picture() const {
+    Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
+    image.pixels.reserve(3 * sum.size());
+    for (const glm::dvec3& each : sum)
+        for (int c = 0; c < 3; ++c)
+            image.pixels.push_back(static_cast<float>(each[c] / static_cast<double>(samples)));
+    return image;
+}
+
+double FibreSums::noise(int block) const {
+    const auto n = static_cast<double>(samples);
+    const std::size_t columns = static_cast<std::size_t>(width / block), rows = static_cast<std::size_t>(height / block);
+    std::vector<glm::dvec3> means(columns * rows, glm::dvec3(0));
+    glm::dvec3 variance(0); // of all blocks' sums together
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        const std::size_t x = i % static_cast<std::size_t>(width) / static_cast<std::size_t>(block);
+        const std::size_t y = i / static_cast<std::size_t>(width) / static_cast<std::size_t>(block);
+        if (x >= columns || y >= rows) continue;
+        means[y * columns + x] += sum[i] / n;
+        variance += (square[i] / n - (sum[i] / n) * (sum[i] / n)) / std::max(n - 1, 1.0);
+    }
+    double all = 0;
+    for (const glm::dvec3& mean : means)
+        all += glm::dot(mean, mean);
+    return std::sqrt((variance.x + variance.y + variance.z) / std::max(all, 1e-300));
+}
+
+namespace {
+
+constexpr char kSumsMagic[8] = {'T', 'G', 'F', 'I', 'B', 'R', 'E', '1'};
+
+struct SumsHead {
+    char magic[8];
+    std::uint64_t scene;
+    std::uint64_t samples;
+    std::int32_t width;
+    std::int32_t height;
+};
+
+template <class Value>
+void append(std::string& bytes, const Value* values, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+}
+
+template <class Value>
+void take(const std::string& bytes, std::size_t& at, std::vector<Value>& values, std::size_t count) {
+    values.resize(count);
+    std::memcpy(values.data(), bytes.data() + at, count * sizeof(Value));
+    at += count * sizeof(Value);
+}
+
+} // namespace
+
+Result<void> saveSums(const std::filesystem::path& file, const FibreSums& sums, std::uint64_t scene) {
+    SumsHead head{.magic = {}, .scene = scene, .samples = sums.samples, .width = sums.width, .height = sums.height};
+    std::copy_n(kSumsMagic, sizeof kSumsMagic, head.magic);
+    std::string bytes;
+    append(bytes, &head, 1);
+    append(bytes, sums.sum.data(), sums.sum.size());
+    append(bytes, sums.square.data(), sums.square.size());
+    append(bytes, sums.covered.data(), sums.covered.size());
+    return writeFile(file, bytes);
+}
+
+FibreSums loadSums(const std::filesystem::path& file, std::uint64_t scene) {
+    if (!std::filesystem::exists(file)) return {};
+    const auto bytes = readFile(file);
+    SumsHead head{};
+    if (!bytes || bytes->size() < sizeof head) return {};
+    std::memcpy(&head, bytes->data(), sizeof head);
+    const auto pixels = static_cast<std::size_t>(std::max(head.width, 0)) * static_cast<std::size_t>(std::max(head.height, 0));
+    const std::size_t whole = sizeof head + pixels * (2 * sizeof(glm::dvec3) + sizeof(double));
+    if (!std::equal(kSumsMagic, kSumsMagic + sizeof kSumsMagic, head.magic) || head.scene != scene || bytes->size() != whole) return {};
+    FibreSums sums{.width = head.width, .height = head.height, .samples = head.samples, .sum = {}, .square = {}, .covered = {}};
+    std::size_t at = sizeof head;
+    take(*bytes, at, sums.sum, pixels);
+    take(*bytes, at, sums.square, pixels);
+    take(*bytes, at, sums.covered, pixels);
+    return sums;
+}
+
+} // namespace tegument::reference

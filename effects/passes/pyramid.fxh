@@ -15,11 +15,26 @@ static const float kLinkTexels = 256.0;
 // their own.
 static const float2 kWideTexel = TEGUMENT_MAP_SIZE >= 512 ? float2(5.2, 6.8) : float2(2.6, 3.4);
 
+// Variances (mm^2) of which the two weights of a link still tell the weight (pyramid_links.fxh).
+static const float2 kLinkedVariances = float2(1.9, 12.0);
+
+// Variances of the fifth and sixth Gaussian.
+float2 linkedVariances()
+{
+    return float2(gGaussianWeight[4].w, gGaussianWeight[5].w);
+}
+
+bool linksBring(float variance)
+{
+    return variance >= kLinkedVariances.x && variance <= kLinkedVariances.y;
+}
+
 // Share of the fifth Gaussian that levels bring beside links. density: texels^2 of the base per mm^2.
 float fifthByLevels(float density)
 {
     float side = TEGUMENT_MAP_SIZE / kLinkTexels * rsqrt(max(density, 1e-4));
-    return saturate((side - kWideTexel.x) / (kWideTexel.y - kWideTexel.x));
+    float share = saturate((side - kWideTexel.x) / (kWideTexel.y - kWideTexel.x));
+    return linksBring(linkedVariances().x) ? share : 1.0;
 }
 
 // Weight of a step beside links, with what they leave of the fifth Gaussian.

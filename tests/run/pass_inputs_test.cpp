@@ -32,7 +32,7 @@ Names with(Names names, const Names& more) {
 }
 
 ExpectedPass convolution(const std::string& name, const std::string& source) {
-    return {name, {"gGaussianSigma", "gLightViewProjection", "gLightNear", "gLightFar", "gUnitMm"}, {"gStretchMap", source}};
+    return {name, {"gGaussianWeight", "gLightViewProjection", "gLightNear", "gLightFar", "gUnitMm"}, {"gStretchMap", source}};
 }
 
 const ExpectedPass kPrePass1{"PrePass1", {}, {"gSkinMap"}};

@@ -169,6 +169,28 @@ float2 linkScale(float2 slot, float tiles, float last)
     return scale;
 }
 
+// What bent skin lets through more from a link's source to a place. Shader model 3 has no room for it.
+#ifdef TEGUMENT_HLSL_3
+#define LINK_RECEIVER(uv)
+#define LINK_FLESH(link) 1.0
+#else
+float3 linkFlesh(float2 uv, AtlasPlace here)
+{
+    float3 share = 1.0;
+    [branch] if (fleshPasses())
+    {
+        AtlasPlace there = atlasPlace(uv);
+        share += gFlesh.rgb * (here.covered * there.covered * tgFleshUnder(here.place, here.normal, there.place, there.normal));
+    }
+    return share;
+}
+#define LINK_RECEIVER(uv) \
+    AtlasPlace here = (AtlasPlace)0; \
+    [branch] if (fleshPasses()) \
+        here = atlasPlace(uv);
+#define LINK_FLESH(link) linkFlesh(abs(link.xy), here)
+#endif
+
 // weights: of the fifth and sixth Gaussian.
 float3 linkLight(float2 weights, float4 source)
 {
@@ -226,11 +248,12 @@ float4 name(float2 uv, float2 slot, float3 sheet, float lists, float first, floa
     float3 sum = 0.0; \
     float last = lists > 0.5 ? min(sheet.x * sheet.x, kMostLinks) - 1.0 : -1.0; \
     float2 scale = float2(fifth, 1.0) * linkScale(slot, sheet.x, last); \
+    LINK_RECEIVER(uv) \
     [loop] for (float k = first; k <= last; k += apart) \
     { \
         float4 link = linkOf(slot, k, sheet.x); \
         last = link.x == 0.0 ? -1.0 : last; \
-        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(scale * linkWeights(link), sourceOf(link)); \
+        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : LINK_FLESH(link) * linkLight(scale * linkWeights(link), sourceOf(link)); \
     } \
     return float4(sum, 0.0); \
 }

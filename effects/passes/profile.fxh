@@ -1,4 +1,4 @@
-// The diffusion profile: a sum of six Gaussians (d'Eon and Luebke 2007), from the narrowest to the widest. Weights of each channel sum to 1.
+// The diffusion profile: a sum of six Gaussians (d'Eon and Luebke 2007), from the narrowest to the widest. Weights of a channel sum to 1.
 // All that follows from it, widths, ladder, links, attenuation, is made from these numbers.
 #ifndef TEGUMENT_SCATTER_PROFILE_FXH
 #include "../../hlsl/scatter/profile.fxh"
@@ -14,15 +14,6 @@ float4 gGaussianWeight[6] < string UIName = "Weight (RGB) and variance (mm^2)"; 
     { 0.358, 0.004, 0.000, 1.99 },
     { 0.078, 0.000, 0.000, 7.41 }
 };
-// Not from the paper: what more passes through bent skin (hlsl/scatter/flesh.fxh).
-float4 gFlesh < string UIName = "Light through flesh (RGB)";
-    string UIHelp = "c of 1 + c h, per mm: about 1.1 times the tissue's effective attenuation"; > = { 0.0, 0.0, 0.0, 0.0 };
-
-bool fleshPasses()
-{
-    return max(gFlesh.x, max(gFlesh.y, gFlesh.z)) > 0.0;
-}
-
 // Width of a Gaussian, mm. The table's widths and variances are rounded apart: its own width where the variance is its own.
 float gaussianWidth(int i)
 {

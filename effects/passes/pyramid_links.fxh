@@ -95,7 +95,7 @@ bool linksAsMade()
     return all(linkedVariances() == kLinkVariance);
 }
 
-// Of a link. Its two weights are a G(v, d) for two v: they tell the area a and the distance d of the source, and so what it weighs for any v.
+// Of a link. Its two weights are a G(v, d) for two v: they tell area a and distance d of the source, and so what it weighs for any v.
 float2 linkWeights(float4 link)
 {
     float2 stored = abs(link.zw);

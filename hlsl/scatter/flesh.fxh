@@ -1,6 +1,6 @@
-// Light through bent skin. A diffusion profile R is that of a half-space; where the surface bends flesh lies under the straight way from one
-// point to another, and more light passes:  K = R(|x - x'|) (1 + c h),  h = max(0, (x - x').(n - n') / 2).  h is 0 on a plane, r^2 / (2 a) on
-// a ball of radius a, the thickness through a slab. c belongs to the tissue: about 1.1 times its effective attenuation (docs/design/skin.md).
+// Light through bent skin. A diffusion profile R is that of a half-space; where the surface bends flesh lies under the straight way from
+// one point to another, and more light passes:  K = R(|x - x'|) (1 + c h),  h = max(0, (x - x').(n - n') / 2).  h is 0 on a plane,
+// r^2 / (2 a) on a ball of radius a, the thickness through a slab. c belongs to the tissue: about 1.1 times its effective attenuation.
 #ifndef TEGUMENT_SCATTER_FLESH_FXH
 #define TEGUMENT_SCATTER_FLESH_FXH
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kFarthestStep = 1e30;
 constexpr double kShortestStep = 2e-4; // mm: a border between layers is known so well
+constexpr double kLongestWay = 400;    // mm: what has gone so far is given up, for without absorption a photon may stay for ever
 constexpr double kInset = 2e-5;        // mm below the surface: rays start in 32-bit floats
 
 /// Unpolarised light from index `from` into `to`; nothing passes where `cosine` of the other side is 0.
@@ -38,13 +39,12 @@ public:
         : body_(body), flesh_(flesh), uniform_(uniform), leave_(leave) {}
 
     double follow(const glm::dvec3& place, const glm::dvec3& direction, double energy) {
-        constexpr int kMostSteps = 2'000'000; // without absorption a photon may stay for long
         place_ = place;
         direction_ = direction;
         energy_ = energy;
         start_ = energy;
         depths_ = opticalDepth();
-        for (int i = 0; i < kMostSteps && energy_ > 0 && !outside_; ++i)
+        while (energy_ > 0 && !outside_ && inEpidermis_ + inDermis_ < kLongestWay)
             step();
         return energy_;
     }

@@ -79,7 +79,7 @@ private:
 using Uniform = std::function<double()>;
 
 /// From a place just inside, until nothing is left of it. `leave` hears of every part that leaves. The energy that was lost: a photon that
-/// finds itself outside, for places are rounded, or one that came back from so many reflections that it was given up.
+/// finds itself outside, for places are rounded, or one that has gone 400 mm.
 double followInBody(const Body& body, const Flesh& flesh, const glm::dvec3& place, const glm::dvec3& direction, double energy,
                     const Uniform& uniform, const std::function<void(const LeavingPhoton&)>& leave);
 

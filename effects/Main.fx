@@ -31,6 +31,7 @@
 #include "passes/irradiance_gosselin.fxh"
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
+#include "passes/flesh.fxh"
 #include "passes/convolution.fxh"
 #include "passes/blur_parameters.fxh"
 #include "passes/poisson.fxh"

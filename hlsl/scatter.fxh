@@ -2,6 +2,7 @@
 // surface.fxh.
 #include "../hlsl/surface.fxh"
 #include "../hlsl/scatter/profile.fxh"
+#include "../hlsl/scatter/flesh.fxh"
 #include "../hlsl/scatter/irradiance.fxh"
 #include "../hlsl/scatter/seam.fxh"
 #include "../hlsl/scatter/kernel.fxh"

@@ -44,7 +44,7 @@ float4 convolveV(TG_SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float si
 // Width that map 1 counts for: the paper takes it for the first Gaussian, corrected for what it is, unblurred.
 float firstSigma()
 {
-    return kTgConvolveExactly ? 0.0 : gGaussianSigma[0].x;
+    return kTgConvolveExactly ? 0.0 : gaussianWidth(0);
 }
 
 // One step of the cascade: the map along U into gIrradianceUMap, that along V into the next map. Widths before and after, mm.
@@ -58,11 +58,11 @@ float4 ConvolutionUV##number##PS(QuadVarying input) : SV_Target0 \
     return convolveV(TG_SAMPLER2D_ARG(gIrradianceU), input.uv, sigmaBefore, sigma); \
 }
 
-CASCADE_STEP(1, gIrradiance, firstSigma(), gGaussianSigma[0].y)
-CASCADE_STEP(2, gIrradiance2, gGaussianSigma[0].y, gGaussianSigma[0].z)
-CASCADE_STEP(3, gIrradiance3, gGaussianSigma[0].z, gGaussianSigma[0].w)
-CASCADE_STEP(4, gIrradiance4, gGaussianSigma[0].w, gGaussianSigma[1].x)
-CASCADE_STEP(5, gIrradiance5, gGaussianSigma[1].x, gGaussianSigma[1].y)
+CASCADE_STEP(1, gIrradiance, firstSigma(), gaussianWidth(1))
+CASCADE_STEP(2, gIrradiance2, gaussianWidth(1), gaussianWidth(2))
+CASCADE_STEP(3, gIrradiance3, gaussianWidth(2), gaussianWidth(3))
+CASCADE_STEP(4, gIrradiance4, gaussianWidth(3), gaussianWidth(4))
+CASCADE_STEP(5, gIrradiance5, gaussianWidth(4), gaussianWidth(5))
 
 #define CASCADE_SCRIPT \
     "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;" \

@@ -25,7 +25,8 @@ float3 fetchThere(TG_SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaus
 {
     float4 texel = tex2Dlod(map, float4(uv, 0.0, 0.0));
     float thickness = tgTransmissionDecode(before.w, tgMillimetres(gLightFar - gLightNear));
-    return gaussian.rgb * texel.rgb * (tgSeamValidity(texel) * tgTransmissionShare(thickness, gaussian.w, apart));
+    float3 passed = gaussian.rgb * texel.rgb * (tgSeamValidity(texel) * tgTransmissionShare(thickness, gaussian.w, apart));
+    return passed * (1.0 + gFlesh.rgb * thickness);
 }
 
 #if TEGUMENT_SLAB

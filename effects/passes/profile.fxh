@@ -1,5 +1,8 @@
-// The diffusion profile: a sum of six Gaussians (d'Eon and Luebke 2007). Weights of each channel sum to 1; the widths are the square roots
-// of the variances, kept apart because the convolutions need nothing else.
+// The diffusion profile: a sum of six Gaussians (d'Eon and Luebke 2007), from the narrowest to the widest. Weights of a channel sum to 1.
+// All that follows from it, widths, ladder, links, attenuation, is made from these numbers.
+#ifndef TEGUMENT_SCATTER_PROFILE_FXH
+#include "../../hlsl/scatter/profile.fxh"
+#endif
 #ifndef TEGUMENT_PASSES_PROFILE_FXH
 #define TEGUMENT_PASSES_PROFILE_FXH
 
@@ -11,9 +14,11 @@ float4 gGaussianWeight[6] < string UIName = "Weight (RGB) and variance (mm^2)"; 
     { 0.358, 0.004, 0.000, 1.99 },
     { 0.078, 0.000, 0.000, 7.41 }
 };
-float4 gGaussianSigma[2] < string UIName = "Widths 1 to 4; 5, 6 (mm)"; > = {
-    { 0.080, 0.220, 0.432, 0.753 },
-    { 1.411, 2.722, 0.000, 0.000 }
-};
+// Width of a Gaussian, mm. The table's widths and variances are rounded apart: its own width where the variance is its own.
+float gaussianWidth(int i)
+{
+    float variance = gGaussianWeight[i].w;
+    return variance == kTgSkinProfile[i].w ? kTgSkinWidth[i] : sqrt(max(variance, 0.0));
+}
 
 #endif

@@ -15,11 +15,26 @@ static const float kLinkTexels = 256.0;
 // their own.
 static const float2 kWideTexel = TEGUMENT_MAP_SIZE >= 512 ? float2(5.2, 6.8) : float2(2.6, 3.4);
 
+// Variances (mm^2) of which the two weights of a link still tell the weight (pyramid_links.fxh).
+static const float2 kLinkedVariances = float2(1.9, 12.0);
+
+// Variances of the fifth and sixth Gaussian.
+float2 linkedVariances()
+{
+    return float2(gGaussianWeight[4].w, gGaussianWeight[5].w);
+}
+
+bool linksBring(float variance)
+{
+    return variance >= kLinkedVariances.x && variance <= kLinkedVariances.y;
+}
+
 // Share of the fifth Gaussian that levels bring beside links. density: texels^2 of the base per mm^2.
 float fifthByLevels(float density)
 {
     float side = TEGUMENT_MAP_SIZE / kLinkTexels * rsqrt(max(density, 1e-4));
-    return saturate((side - kWideTexel.x) / (kWideTexel.y - kWideTexel.x));
+    float share = saturate((side - kWideTexel.x) / (kWideTexel.y - kWideTexel.x));
+    return linksBring(linkedVariances().x) ? share : 1.0;
 }
 
 // Weight of a step beside links, with what they leave of the fifth Gaussian.
@@ -101,6 +116,43 @@ float4 EntryPS(QuadVarying input) : SV_Target0
     return entryLight(input.uv);
 }
 
+// A place of the atlas in the world, mm, and the mesh's normal there.
+struct AtlasPlace
+{
+    float3 place;
+    float3 normal;
+    float covered;
+};
+
+AtlasPlace atlasPlace(float2 uv)
+{
+    AtlasPlace at;
+    float4 place = tex2Dlod(gAtlasPosition, float4(uv, 0.0, 0.0));
+    at.place = tgMillimetres(tgWorldPosition(place.xyz));
+    at.normal = tgWorldNormal(tex2Dlod(gAtlasMeshNormal, float4(uv, 0.0, 0.0)).xyz);
+    at.covered = place.w > 0.0 ? 1.0 : 0.0;
+    return at;
+}
+
+// What bent skin lets through more at a level, by its neighbours a texel of that level away. size: of its map; variance: mm^2.
+float3 levelFlesh(float2 uv, float size, float variance)
+{
+    float3 share = 1.0;
+    [branch] if (fleshPasses())
+    {
+        AtlasPlace here = atlasPlace(uv);
+        float2 sum = float2(0.0, 1e-6);
+        [unroll] for (int i = 0; i < 4; i++)
+        {
+            float2 step = float2(i < 2 ? 1.0 : 0.0, i < 2 ? 0.0 : 1.0) * (i % 2 == 0 ? 1.0 : -1.0);
+            AtlasPlace there = atlasPlace(uv + step / size);
+            sum += there.covered * float2(tgFleshCurvature(here.place, here.normal, there.place, there.normal), 1.0);
+        }
+        share = tgFleshShare(gFlesh.rgb, here.covered * sum.x / sum.y, variance);
+    }
+    return share;
+}
+
 // A level by itself, weighed: alpha keeps the density, below 0 where links bring the widest Gaussians. fourth: 1 where they
 // bring, too, what other charts send by the fourth, of which only what the chart itself sends then counts, not divided by coverage.
 float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, float linked, float fourth)
@@ -111,6 +163,7 @@ float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, f
     float3 weight = linked > 0.5 ? linkedWeight(level + 1.0, density) : ladderWeight(level + 1.0, density);
     [branch] if (fourth > 0.5 && light.w < 1.0)
         weight += (light.w - 1.0) * ladderWeight(2.0 * kTgLadderSteps + level + 1.0, density);
+    weight *= levelFlesh(uv, size, tgLadderVariance(level) / density);
     return float4(light.rgb * weight, linked > 0.5 ? -density : density);
 }
 

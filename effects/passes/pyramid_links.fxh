@@ -12,6 +12,10 @@ Texture2D gLinksMap < string Generator = "skin links"; float4 Fallback = { 0.0, 
 TG_SAMPLER2D(gLinks, POINT, CLAMP);
 
 static const float kMostLinks = 64.0;
+// Variances (mm^2) of the two Gaussians that links are made for.
+static const float2 kLinkVariance = float2(1.99, 7.41);
+// Smallest weight that a half float holds.
+static const float kLeastWeight = 6e-8;
 // A source with less coverage than this lies beside the charts.
 static const float kLeastSource = 1e-4;
 
@@ -80,11 +84,40 @@ static const float kLeastSource = 1e-4;
 #define WIDE_0(light) 0.0
 #endif
 
-// x: as many tiles as lie side by side, 0 where the mesh has no links; y: 1 where the fourth Gaussian comes along; z: the height of a tile,
+// What weights are made for; those that links do not bring are left out afterwards.
+float2 boundVariances()
+{
+    return clamp(linkedVariances(), kLinkedVariances.x, kLinkedVariances.y);
+}
+
+bool linksAsMade()
+{
+    return all(linkedVariances() == kLinkVariance);
+}
+
+// Of a link. Its two weights are a G(v, d) for two v: they tell area a and distance d of the source, and so what it weighs for any v.
+float2 linkWeights(float4 link)
+{
+    float2 stored = abs(link.zw);
+    float2 weights = stored;
+    [branch] if (!linksAsMade())
+    {
+        float2 v = boundVariances();
+        float2 part = (1.0 / v - 1.0 / kLinkVariance.y) / (1.0 / kLinkVariance.x - 1.0 / kLinkVariance.y);
+        float2 grown = log2(max(stored, kLeastWeight) * kLinkVariance);
+        weights = exp2(part * grown.x + (1.0 - part) * grown.y) / v;
+    }
+    return weights;
+}
+
+// x: as many tiles as lie side by side, 0 where the mesh has no links or they do not reach as far as the sixth Gaussian, which the levels
+// then bring as all the others; y: 1 where the fourth Gaussian comes along; z: the height of a tile,
 // 1 without quarters, of which older sheets say nothing.
 float3 linkSheet()
 {
-    return max(tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xyz, float3(0.0, 0.0, 1.0));
+    float3 sheet = max(tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xyz, float3(0.0, 0.0, 1.0));
+    sheet.y *= linksBring(linkedVariances().x) ? 1.0 : 0.0;
+    return linksBring(linkedVariances().y) ? sheet : float3(0.0, 0.0, 1.0);
 }
 
 // Link number k of a list; slot: where each tile holds the list.
@@ -113,10 +146,55 @@ float linkMap(float4 link)
     return (link.x < 0.0 ? 1.0 : 0.0) + (link.y < 0.0 ? 2.0 : 0.0) + (link.w < 0.0 ? 4.0 : 0.0);
 }
 
-// fifth: what links bring of the fifth Gaussian.
-float3 linkLight(float4 link, float4 source, float fifth)
+// What weights made anew must be multiplied by: those of a list add up to what the stored ones do, between the two in the logarithm of the
+// variance, for a list was fitted to its sums, and its distances are means.
+float2 linkScale(float2 slot, float tiles, float last)
 {
-    float3 share = fifth * abs(link.z) * gGaussianWeight[4].rgb + abs(link.w) * gGaussianWeight[5].rgb;
+    float2 scale = 1.0;
+    [branch] if (!linksAsMade())
+    {
+        float2 stored = 0.0;
+        float2 anew = 0.0;
+        [loop] for (float k = 0.0; k <= last; k += 1.0)
+        {
+            float4 link = linkOf(slot, k, tiles);
+            last = link.x == 0.0 ? -1.0 : last;
+            stored += link.x == 0.0 ? float2(0.0, 0.0) : abs(link.zw);
+            anew += link.x == 0.0 ? float2(0.0, 0.0) : linkWeights(link);
+        }
+        float2 place = log2(boundVariances() / kLinkVariance.x) / log2(kLinkVariance.y / kLinkVariance.x);
+        float2 sums = max(stored, kLeastWeight);
+        scale = sums.x * exp2(place * log2(sums.y / sums.x)) / max(anew, kLeastWeight);
+    }
+    return scale;
+}
+
+// What bent skin lets through more from a link's source to a place. Shader model 3 has no room for it.
+#ifdef TEGUMENT_HLSL_3
+#define LINK_RECEIVER(uv)
+#define LINK_FLESH(link) 1.0
+#else
+float3 linkFlesh(float2 uv, AtlasPlace here)
+{
+    float3 share = 1.0;
+    [branch] if (fleshPasses())
+    {
+        AtlasPlace there = atlasPlace(uv);
+        share += gFlesh.rgb * (here.covered * there.covered * tgFleshUnder(here.place, here.normal, there.place, there.normal));
+    }
+    return share;
+}
+#define LINK_RECEIVER(uv) \
+    AtlasPlace here = (AtlasPlace)0; \
+    [branch] if (fleshPasses()) \
+        here = atlasPlace(uv);
+#define LINK_FLESH(link) linkFlesh(abs(link.xy), here)
+#endif
+
+// weights: of the fifth and sixth Gaussian.
+float3 linkLight(float2 weights, float4 source)
+{
+    float3 share = weights.x * gGaussianWeight[4].rgb + weights.y * gGaussianWeight[5].rgb;
     return share * source.rgb / max(source.a, kLeastSource);
 }
 
@@ -169,11 +247,13 @@ float4 name(float2 uv, float2 slot, float3 sheet, float lists, float first, floa
     float fifth = 1.0 - fifthByLevels(tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z); \
     float3 sum = 0.0; \
     float last = lists > 0.5 ? min(sheet.x * sheet.x, kMostLinks) - 1.0 : -1.0; \
+    float2 scale = float2(fifth, 1.0) * linkScale(slot, sheet.x, last); \
+    LINK_RECEIVER(uv) \
     [loop] for (float k = first; k <= last; k += apart) \
     { \
         float4 link = linkOf(slot, k, sheet.x); \
         last = link.x == 0.0 ? -1.0 : last; \
-        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, sourceOf(link), fifth); \
+        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : LINK_FLESH(link) * linkLight(scale * linkWeights(link), sourceOf(link)); \
     } \
     return float4(sum, 0.0); \
 }

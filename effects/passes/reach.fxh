@@ -82,16 +82,20 @@ float4 CullTilesPS(QuadVarying input) : SV_Target0
     return tgReachTile(TG_SAMPLER2D_ARG(gCullNeed), TG_SAMPLER2D_ARG(gStretch), input.uv);
 }
 
+float2 reachOfCascade()
+{
+    return tgReachOfCascade(float4(gaussianWidth(0), gaussianWidth(1), gaussianWidth(2), gaussianWidth(3)),
+        float2(gaussianWidth(4), gaussianWidth(5)));
+}
+
 float4 CullReachUPS(QuadVarying input) : SV_Target0
 {
-    return tgReachAlong(TG_SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0),
-        tgReachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+    return tgReachAlong(TG_SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0), reachOfCascade());
 }
 
 float4 CullReachVPS(QuadVarying input) : SV_Target0
 {
-    return tgReachAlong(TG_SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0),
-        tgReachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+    return tgReachAlong(TG_SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), reachOfCascade());
 }
 
 float4 BlurReachUPS(QuadVarying input) : SV_Target0

@@ -66,7 +66,8 @@ std::vector<Diffused> diffuseAll(const SkinScene& scene, std::span<const ShadedP
     std::vector<Diffused> all(points.size());
     const auto one = [&](std::size_t i) {
         const SurfacePoint& point = points[i].point;
-        if (scene.colour(point).w > 0) all[i] = diffuse(scene.rays(), irradiance, options.profile, point.position, options.quadrature);
+        if (scene.colour(point).w > 0)
+            all[i] = diffuse(scene.rays(), irradiance, options.profile, point.position, options.quadrature, glm::normalize(point.normal));
     };
     forEachInParallel(points.size(), one, options.progress);
     if (options.cached) storeDiffused(key, all);

@@ -2,6 +2,11 @@
 // Light that leaves a surface after scattering below it, by brute force: every point of the surface gives to every other.
 //   D(x) = integral over the surface of R(|x - x'|) E(x') dA',   mm, Euclidean distance, area measure, not renormalised
 // R is any function of the distance, E the light that enters (skin.h: shadows by rays, normal map, C^mix, 1 - rho_s rho_dt).
+//
+// R is known of a half-space. Where the surface bends, flesh lies under the straight way from x' to x, and more light passes than R says:
+//   K(x, x') = R(|x - x'|) (1 + c h),  h = max(0, (x - x').(n - n') / 2),  mm
+// h is 0 on a plane, r^2 / (2 a) on a ball of radius a, the thickness through a slab: flux through a surface that looks along the way is
+// larger than through one that is grazed, as the dipole's own geometry has it. c belongs to the tissue (RadialProfile::flesh).
 
 #include "lab/reference/profile.h"
 #include "lab/reference/radial.h"
@@ -32,8 +37,9 @@ struct Diffused {
     glm::dvec3 light{0}; // D
     glm::dvec3 share{0}; // integral of R over the surface: 1 far inside a large plane. D / share is the renormalised variant.
 };
+/// `normal`: at that place, unit; asked for where the profile has flesh.
 [[nodiscard]] Diffused diffuse(const RayScene& surface, const Irradiance& irradiance, const RadialProfile& profile, const glm::dvec3& at,
-                               const Quadrature& quadrature);
+                               const Quadrature& quadrature, const glm::dvec3& normal = glm::dvec3(0));
 
 /// What a pixel shows at its centre. One sample there is the estimator of a picture rasterised without multisampling: both evaluate the
 /// centre and nothing else, so that no filter stands between the two.

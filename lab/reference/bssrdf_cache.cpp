@@ -55,6 +55,7 @@ void addProfile(Key& key, const RadialProfile& profile) {
     key.add(profile.finest);
     for (int i = 0; i < kValues; ++i)
         key.add(profile.density(profile.reach * (i + 0.5) * (i + 0.5) / (kValues * kValues)));
+    if (profile.flesh != glm::dvec3(0)) key.add(profile.flesh);
 }
 
 std::filesystem::path pathFor(const std::string& key) {

@@ -71,8 +71,8 @@ std::array<Piece, 2> halves(const Piece& piece, int edge) {
 class Integral {
 public:
     Integral(const RayScene& surface, const Irradiance& irradiance, const RadialProfile& profile, const glm::dvec3& at,
-             const Quadrature& quadrature)
-        : mesh_(surface.mesh()), irradiance_(irradiance), profile_(profile), at_(at), quadrature_(quadrature) {}
+             const Quadrature& quadrature, const glm::dvec3& normal)
+        : mesh_(surface.mesh()), irradiance_(irradiance), profile_(profile), at_(at), normal_(normal), quadrature_(quadrature) {}
 
     void add(std::uint32_t triangle) {
         triangle_ = triangle;
@@ -124,12 +124,21 @@ private:
         return std::max({density.x, density.y, density.z});
     }
 
+    /// 1 + c h.
+    [[nodiscard]] glm::dvec3 throughFlesh(const SurfacePoint& from) const {
+        if (profile_.flesh == glm::dvec3(0)) return glm::dvec3(1);
+        const double length = glm::length(from.normal);
+        const glm::dvec3 normal = length > 0 ? from.normal / length : faceNormal(mesh_, triangle_);
+        return 1.0 + profile_.flesh * std::max(0.0, 0.5 * glm::dot(at_ - from.position, normal_ - normal));
+    }
+
     /// Whether there is light.
     bool addNode(const Piece& piece, const TriangleNode& node, double area) {
         const double distance = glm::length(piece.corners * node.weights - at_);
         if (distance > profile_.reach) return false;
-        const glm::dvec3 density = profile_.density(distance) * (node.weight * area);
-        const glm::dvec3 light = irradiance_(interpolate(mesh_, {triangle_, piece.weights * node.weights}));
+        const SurfacePoint from = interpolate(mesh_, {triangle_, piece.weights * node.weights});
+        const glm::dvec3 density = profile_.density(distance) * throughFlesh(from) * (node.weight * area);
+        const glm::dvec3 light = irradiance_(from);
         sum_.share += density;
         sum_.light += density * light;
         return light != glm::dvec3(0);
@@ -141,6 +150,7 @@ private:
     const Irradiance& irradiance_;
     const RadialProfile& profile_;
     glm::dvec3 at_;
+    glm::dvec3 normal_;
     Quadrature quadrature_;
     std::uint32_t triangle_ = 0;
     Diffused sum_;
@@ -156,8 +166,8 @@ Quadrature halved(const Quadrature& quadrature) {
 }
 
 Diffused diffuse(const RayScene& surface, const Irradiance& irradiance, const RadialProfile& profile, const glm::dvec3& at,
-                 const Quadrature& quadrature) {
-    Integral integral(surface, irradiance, profile, at, quadrature);
+                 const Quadrature& quadrature, const glm::dvec3& normal) {
+    Integral integral(surface, irradiance, profile, at, quadrature, normal);
     for (const std::uint32_t triangle : surface.around(at, profile.reach))
         integral.add(triangle);
     return integral.sum();

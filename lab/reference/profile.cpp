@@ -69,7 +69,7 @@ std::vector<double> besselRatios(double x, std::size_t count) {
     return product;
 }
 
-glm::dvec3 sphere(const Profile& profile, double radius, double cosine) {
+glm::dvec3 sphere(const Profile& profile, double radius, double cosine, const glm::dvec3& flesh) {
     double narrowest = profile.front().variance;
     for (const Gaussian& gaussian : profile)
         narrowest = std::min(narrowest, gaussian.variance);
@@ -81,14 +81,21 @@ glm::dvec3 sphere(const Profile& profile, double radius, double cosine) {
         const auto n = static_cast<double>(l);
         legendre[l] = ((2 * n - 1) * cosine * legendre[l - 1] - (n - 1) * legendre[l - 2]) / n;
     }
-    return sumOver(profile, [&](double v) {
+    const auto scattered = [&](double v) {
         const double concentration = radius * radius / v;
         const std::vector<double> kernel = besselRatios(concentration, count);
         double sum = 0;
         for (std::size_t l = 0; l < count; ++l)
             sum += light[l] * kernel[l] * legendre[l];
         return (1 - std::exp(-2 * concentration)) * sum;
-    });
+    };
+    const glm::dvec3 alone = sumOver(profile, scattered);
+    if (flesh == glm::dvec3(0)) return alone;
+    return alone + flesh * sumOver(profile, [&](double v) {
+                       constexpr double kStep = 1e-4; // of v: the difference is exact to its square
+                       const double slope = (scattered(v * (1 + kStep)) - scattered(v * (1 - kStep))) / (2 * kStep);
+                       return v / radius * (scattered(v) + slope);
+                   });
 }
 
 } // namespace tegument::reference

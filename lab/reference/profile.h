@@ -30,7 +30,8 @@ using Profile = std::vector<Gaussian>;
 /// Sphere of this radius under directional light, irradiance max(0, cosine); distances are chords. On a sphere a Gaussian of the chord is
 /// a von Mises-Fisher kernel of concentration radius^2 / v, whose Legendre coefficients are ratios of Bessel functions:
 ///   D = sum_i w_i (1 - exp(-2 k_i)) sum_l E_l I_{l+1/2}(k_i) / I_{1/2}(k_i) P_l(cosine)
-[[nodiscard]] glm::dvec3 sphere(const Profile& profile, double radius, double cosine);
+/// flesh: c of bssrdf.h. There h = r^2 / (2 radius), and r^2 G / (2 v) = G + v dG/dv.
+[[nodiscard]] glm::dvec3 sphere(const Profile& profile, double radius, double cosine, const glm::dvec3& flesh = glm::dvec3(0));
 
 /// exp(-x) I_{l+1/2}(x) / (exp(-x) I_{1/2}(x)) for l = 0 .. count - 1, by Miller's backward recurrence.
 [[nodiscard]] std::vector<double> besselRatios(double x, std::size_t count);

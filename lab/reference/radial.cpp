@@ -6,7 +6,7 @@
 
 namespace tegument::reference {
 
-RadialProfile radial(const Profile& gaussians) {
+RadialProfile radial(const Profile& gaussians, const glm::dvec3& flesh) {
     constexpr double kReach = 6; // sigma
     const auto [narrowest, widest] = std::ranges::minmax(gaussians, {}, &Gaussian::variance);
     const auto density = [gaussians](double distance) {
@@ -15,7 +15,7 @@ RadialProfile radial(const Profile& gaussians) {
             sum += g.weight * (std::exp(-distance * distance / (2 * g.variance)) / (2 * std::numbers::pi * g.variance));
         return sum;
     };
-    return {density, kReach * std::sqrt(widest.variance), std::sqrt(narrowest.variance)};
+    return {density, kReach * std::sqrt(widest.variance), std::sqrt(narrowest.variance), flesh};
 }
 
 RadialProfile burley(const glm::dvec3& d) {
@@ -30,7 +30,7 @@ RadialProfile burley(const glm::dvec3& d) {
         }
         return value;
     };
-    return {density, kReach * std::max({d.x, d.y, d.z}), kFinest * std::min({d.x, d.y, d.z})};
+    return {density, kReach * std::max({d.x, d.y, d.z}), kFinest * std::min({d.x, d.y, d.z}), glm::dvec3(0)};
 }
 
 glm::dvec3 burleyWithin(const glm::dvec3& d, double distance) {

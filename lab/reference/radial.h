@@ -11,10 +11,11 @@ struct RadialProfile {
     std::function<glm::dvec3(double distance)> density; // per mm^2; called from several threads
     double reach = 0;                                   // mm beyond which it counts as 0
     double finest = 0;                                  // mm within which it is smooth, or holds too little to matter
+    glm::dvec3 flesh{0};                                // c, per mm: how much more passes with flesh under the way (bssrdf.h)
 };
 
 /// Reach: six sigma of the widest, where 1.5e-8 of it is left out.
-[[nodiscard]] RadialProfile radial(const Profile& gaussians);
+[[nodiscard]] RadialProfile radial(const Profile& gaussians, const glm::dvec3& flesh = glm::dvec3(0));
 
 /// Burley's normalised diffusion (Christensen and Burley 2015) with albedo 1: R = (exp(-r/d) + exp(-r/(3d))) / (8 pi d r), d in mm for each
 /// channel. Reach: 3e-5 of the widest is left out.

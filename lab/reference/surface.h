@@ -82,6 +82,9 @@ public:
     /// Triangles that come nearer than `radius`, in rising order, and perhaps a few that do not.
     [[nodiscard]] std::vector<std::uint32_t> around(const glm::dvec3& centre, double radius) const;
 
+    /// mm from a place to the nearest triangle, where that is less than `most`; else `most`.
+    [[nodiscard]] double distance(const glm::dvec3& place, double most) const;
+
     [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
 private:

@@ -53,10 +53,10 @@ public:
     [[nodiscard]] double radiusOf(double share) const;
     /// Inner edge of a ring; of ring kRings the outer edge of the last.
     [[nodiscard]] static double edge(std::size_t ring);
+    [[nodiscard]] static std::size_t ringOf(double radius);
     [[nodiscard]] double energy(std::size_t ring) const { return energy_[ring]; }
 
 private:
-    [[nodiscard]] static std::size_t ringOf(double radius);
     std::vector<double> energy_ = std::vector<double>(kRings, 0.0);
 };
 

@@ -29,7 +29,6 @@ void scaleLengths(const Effect& effect, const std::string& setting, double facto
         scene.parameters[name] = values;
     };
     const auto all = [](std::size_t) { return true; };
-    scaleBy("gGaussianSigma", factor, all);
     scaleBy("gGaussianWeight", factor * factor, [](std::size_t i) { return i % 4 == 3; }); // variances
     if (setting == kSettingCorrected) {
         scaleBy("gBlurSize", factor, all);

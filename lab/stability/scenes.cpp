@@ -191,8 +191,10 @@ void addParameters(std::vector<HardScene>& all) {
     all.push_back(withParameters("mix 1", {{"gMix", {1}}}));
     all.push_back(withParameters("tolerance 0", {{"gShadowTolerance", {0}}}));
     all.push_back(withParameters("tolerance 1e6", {{"gShadowTolerance", {1e6}}}));
-    all.push_back(withParameters("every sigma 0", {{"gGaussianSigma", std::vector<double>(8, 0)}}));
-    all.push_back(withParameters("every sigma 1e3 mm", {{"gGaussianSigma", std::vector<double>(8, 1e3)}}));
+    std::vector<double> widest(24, 1.0 / 6);
+    for (std::size_t i = 3; i < widest.size(); i += 4)
+        widest[i] = 1e6;
+    all.push_back(withParameters("every variance 1e6 mm^2", {{"gGaussianWeight", widest}}));
     all.push_back(withParameters("every weight and variance 0", {{"gGaussianWeight", none}}));
     all.push_back(withParameters("blurs of 0 mm", {{"gBlurSize", {0}}}));
     all.push_back(withParameters("blurs of 1e4 mm", {{"gBlurSize", {1e4}}, {"gBlurCount", {6}}}));

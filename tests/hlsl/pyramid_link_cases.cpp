@@ -100,6 +100,91 @@ glm::dvec3 quarterList(int x, int y, int mapSize, double density) { // of the ma
     return listAt(2 * (static_cast<int>(at.y) - 1) + x % 2, kSide + 2 * static_cast<int>(at.z) + y % 2, false, mapSize, density);
 }
 
+/// The published profile with other variances for its last two Gaussians.
+std::vector<double> widened(double fifth, double sixth) {
+    std::vector<double> numbers;
+    for (const glm::dvec4& gaussian : kSkinGaussians)
+        for (int c = 0; c < 4; ++c)
+            numbers.push_back(gaussian[c]);
+    numbers[19] = fifth;
+    numbers[23] = sixth;
+    return numbers;
+}
+
+double gaussianAt(double variance, double squared) {
+    return std::exp(-squared / (2 * variance)) / (2 * 3.141592653589793 * variance);
+}
+
+/// What a profile makes of links that were made for another one.
+std::vector<FunctionCase> profiles(const Tolerance& exact) {
+    std::vector<FunctionCase> cases;
+    struct Known {
+        double fifth, sixth;
+        bool made, bringsFifth, bringsSixth;
+    };
+    for (const Known& known : {Known{1.99, 7.41, true, true, true}, Known{2.5, 11, false, true, true}, Known{0.6, 3.3, false, false, true},
+                               Known{1.99, 12.5, false, true, false}, Known{17.91, 66.69, false, false, false}}) {
+        cases.push_back(pyramidCase("linksBring",
+                                    "return float4(linksAsMade() ? 1.0 : 0.0, linksBring(linkedVariances().x) ? 1.0 : 0.0, "
+                                    "linksBring(linkedVariances().y) ? 1.0 : 0.0, fifthByLevels(1000.0));",
+                                    {linear(0, 1)}, [=](const Inputs&) {
+                                        return values(known.made ? 1 : 0, known.bringsFifth ? 1 : 0, known.bringsSixth ? 1 : 0,
+                                                      known.bringsFifth ? 0 : 1);
+                                    }));
+        cases.back().globals["gGaussianWeight"] = widened(known.fifth, known.sixth);
+        cases.back().tolerance = exact;
+        cases.back().samples = 4;
+        cases.push_back(pyramidCase("linkSheet", "return float4(linkSheet() + a0, 0);", {linear(0, 1)}, [=](const Inputs& x) {
+            if (!known.bringsSixth) return values(x.scalar(0), x.scalar(0), 1 + x.scalar(0));
+            return values(kTiles + x.scalar(0), (known.bringsFifth ? 1 : 0) + x.scalar(0), kHigh + x.scalar(0));
+        }));
+        cases.back().globals["gGaussianWeight"] = widened(known.fifth, known.sixth);
+        cases.back().maps["gLinksMap"] = sheetOf(false, 1);
+        cases.back().tolerance = exact;
+    }
+    // A source of area a1, mm^2, sqrt(a0) mm away.
+    const char* link = "float2 g = a1 * exp(-a0 / float2(3.98, 14.82)) / (6.2831853 * float2(1.99, 7.41)); ";
+    for (const auto& [fifth, sixth] : {std::pair{1.99, 7.41}, std::pair{2.5, 11.0}, std::pair{3.3, 5.0}}) {
+        cases.push_back(
+            pyramidCase("linkWeights", std::string(link) + "return float4(linkWeights(float4(0.5, -0.5, g * float2(1.0, -1.0))), 0, 0);",
+                        {linear(0, 30), linear(0.1, 2)}, [fifth = fifth, sixth = sixth](const Inputs& x) {
+                            return values(x.scalar(1) * gaussianAt(fifth, x.scalar(0)), x.scalar(1) * gaussianAt(sixth, x.scalar(0)));
+                        }));
+        cases.back().globals["gGaussianWeight"] = widened(fifth, sixth);
+        cases.back().tolerance = {.forward = 256, .backward = 16, .absolute = 1e-6, .why = "powers of 2 of logarithms of up to 20"};
+    }
+    // Lists made anew add up to what theirs do, between the two in the logarithm of the variance.
+    cases.push_back(pyramidCase("linkScale", "return float4(linkScale((float2(a0, a1) + 0.5) / float2(256, 272), 2.0, 2.0), 0, 0);",
+                                {whole(0, 255), whole(0, 255)}, [](const Inputs& x) {
+                                    glm::dvec2 stored(0);
+                                    glm::dvec2 anew(0);
+                                    const glm::dvec2 v(2.5, 11);
+                                    for (int k = 0; k < 3; ++k) {
+                                        const glm::dvec4 one =
+                                            linkIn(static_cast<int>(x.scalar(0)), static_cast<int>(x.scalar(1)), k, false);
+                                        if (one.x == 0) break;
+                                        const glm::dvec2 own = glm::abs(glm::dvec2(one.z, one.w));
+                                        // Area and squared distance of a source that weighs as much by both.
+                                        const double squared = std::log(own.y * 7.41 / (own.x * 1.99)) / (0.5 / 1.99 - 0.5 / 7.41);
+                                        const double area = own.x / gaussianAt(1.99, squared);
+                                        stored += own;
+                                        anew += area * glm::dvec2(gaussianAt(v.x, squared), gaussianAt(v.y, squared));
+                                    }
+                                    if (stored.x == 0) return values(0, 0);
+                                    const glm::dvec2 place = glm::log(v / 1.99) / std::log(7.41 / 1.99);
+                                    return values(stored.x * std::pow(stored.y / stored.x, place.x) / anew.x,
+                                                  stored.x * std::pow(stored.y / stored.x, place.y) / anew.y);
+                                }));
+    cases.back().globals["gGaussianWeight"] = widened(2.5, 11);
+    cases.back().maps["gLinksMap"] = sheetOf(false, 0);
+    cases.back().filtered = false;
+    cases.back().tolerance = {.forward = 512, .backward = 0, .absolute = 1e-5, .why = "powers of 2 of logarithms, sums of three"};
+    cases.back().domain = [](const Inputs& x) {
+        return linkIn(static_cast<int>(x.scalar(0)), static_cast<int>(x.scalar(1)), 0, false).x != 0;
+    };
+    return cases;
+}
+
 std::vector<FunctionCase> parts() {
     std::vector<FunctionCase> cases;
     const Tolerance exact{.forward = 8, .backward = 2, .absolute = 1e-6, .why = "a few products and a quotient"};
@@ -123,11 +208,13 @@ std::vector<FunctionCase> parts() {
     cases.back().maps["gLinksMap"] = sheetOf(true, 0);
     cases.back().filtered = false;
     cases.back().tolerance = exact;
-    cases.push_back(pyramidCase("linkLight", "return float4(linkLight(a0, float4(a1, a2), a3), 0);",
+    cases.push_back(pyramidCase("linkLight", "return float4(linkLight(float2(a3 * abs(a0.z), abs(a0.w)), float4(a1, a2)), 0);",
                                 {linear(-1, 1, 4), linear(0, 1, 3), logarithmic(1e-5, 1), linear(0, 1)}, [](const Inputs& x) {
                                     return values(sentBy(x.vec4(0), glm::dvec4(x.vec3(1), x.scalar(2)), x.scalar(3)));
                                 }));
     cases.back().tolerance = exact;
+    for (FunctionCase& made : profiles(exact))
+        cases.push_back(std::move(made));
     for (int size : {128, 256, 512, 1024, 2048}) {
         for (const char* of : {"anySource", "fineSource"}) {
             const bool fine = of[0] == 'f';

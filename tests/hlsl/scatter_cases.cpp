@@ -43,6 +43,34 @@ double share(const Inputs& x) {
     return x.seed() ? passed : passed * saturate(x.scalar(2) / (6 * std::sqrt(v)));
 }
 
+/// On a ball of radius a h is r^2 / (2 a), and its curvature 1 / a.
+std::vector<FunctionCase> flesh() {
+    const Tolerance sums{.forward = 16, .backward = 4, .absolute = 2e-4, .why = "differences of places and of normals"};
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgFleshUnder",
+                     .body = "return float4(tgFleshUnder(a2 * a0, a0, a2 * a1, a1), tgFleshUnder(a2 * a0, -a0, a2 * a1, -a1), "
+                             "tgFleshUnder(a0, float3(0, 0, 1), a1, float3(0, 0, 1)), tgFleshCurvature(a2 * a0, a0, a2 * a1, a1));",
+                     .arguments = {unit(), unit(), linear(1, 20)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double squared = glm::dot(x.vec3(0) - x.vec3(1), x.vec3(0) - x.vec3(1));
+                             const double radius = x.scalar(2);
+                             return values(radius * squared / 2, 0, 0, 1 / radius); // a hollow has none, nor has a plane
+                         },
+                     .tolerance = sums,
+                     .domain =
+                         [](const Inputs& x) {
+                             return isUnit(x.vec3(0)) && isUnit(x.vec3(1)) && x.scalar(2) > 0.5 &&
+                                    glm::length(x.vec3(0) - x.vec3(1)) > 0.05;
+                         }});
+    cases.push_back({.function = "tgFleshShare",
+                     .body = "return float4(tgFleshShare(a0, a1, a2), 0);",
+                     .arguments = {linear(0, 3, 3), linear(0, 1), linear(0, 12)},
+                     .expected = [](const Inputs& x) { return values(1.0 + x.vec3(0) * (x.scalar(1) * x.scalar(2))); },
+                     .tolerance = sums});
+    return cases;
+}
+
 std::vector<FunctionCase> entering() {
     std::vector<FunctionCase> cases;
     cases.push_back({.function = "tgIrradianceColour",
@@ -184,7 +212,7 @@ std::vector<FunctionCase> slab() {
 } // namespace
 
 std::vector<FunctionCase> scatterCases() {
-    return together(entering(), passing(), slab());
+    return together(flesh(), entering(), passing(), slab());
 }
 
 } // namespace tegument::test

@@ -44,8 +44,18 @@ double passedBy(double thickness, double variance, double apart) {
     return std::exp(-thickness * thickness / (2 * variance)) * std::clamp(apart / (6 * std::sqrt(variance)), 0.0, 1.0);
 }
 
+/// The table's own widths are not quite the roots of its variances; those of any other variance are.
+FunctionCase widths() {
+    FunctionCase made = mainCase("gaussianWidth", "return float4(gaussianWidth(2), gaussianWidth(3), gaussianWidth(4), gaussianWidth(5));",
+                                 {linear(0, 1)}, [](const Inputs&) { return values(0.432, 0.753, std::sqrt(1.98), 0); });
+    made.globals["gGaussianWeight"] = {0, 0, 0, 0.0064, 0, 0, 0, 0.0484, 0, 0, 0, 0.187, 0, 0, 0, 0.567, 0, 0, 0, 1.98, 0, 0, 0, -1};
+    made.tolerance = {.forward = 4, .backward = 0, .why = "a root"};
+    made.samples = 4;
+    return made;
+}
+
 std::vector<FunctionCase> fetches() {
-    std::vector<FunctionCase> cases;
+    std::vector<FunctionCase> cases = {widths()};
     cases.push_back(mainCase("fetchHere", "return fetchHere(gIrradiance2Map, gFinal2, float2((a0 + 0.5) / 4.0, 0.5), a1);",
                              {whole(0, 3), linear(0, 1, 3)}, [](const Inputs& x) {
                                  const glm::dvec4 texel = kMaps[1][static_cast<std::size_t>(std::round(x.scalar(0)))];

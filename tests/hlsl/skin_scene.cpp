@@ -38,8 +38,7 @@ Globals scene() {
             {"gSpecularIntensity", {kSkinIntensity}},
             {"gPlainRoughness", {kPlainRoughness}},
             {"gPlainIntensity", {kPlainIntensity}},
-            {"gGaussianWeight", rowsOf({kSkinGaussians.begin(), kSkinGaussians.end()})},
-            {"gGaussianSigma", {0.08, 0.22, 0.432, 0.753, 1.411, 2.722, 0, 0}}};
+            {"gGaussianWeight", rowsOf({kSkinGaussians.begin(), kSkinGaussians.end()})}};
 }
 
 } // namespace

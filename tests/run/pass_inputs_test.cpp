@@ -32,35 +32,36 @@ Names with(Names names, const Names& more) {
 }
 
 ExpectedPass convolution(const std::string& name, const std::string& source) {
-    return {name, {"gGaussianSigma", "gLightViewProjection", "gLightNear", "gLightFar", "gUnitMm"}, {"gStretchMap", source}};
+    return {name, {"gGaussianWeight", "gLightViewProjection", "gLightNear", "gLightFar", "gUnitMm"}, {"gStretchMap", source}};
 }
 
 const ExpectedPass kPrePass1{"PrePass1", {}, {"gSkinMap"}};
 const ExpectedPass kPrePass2{"PrePass2", {"gWorld", "gWorldInverseTranspose", "gViewProjection", "gCameraPosition"}, {}};
 
 ExpectedTechnique deonLuebke() {
-    return {"DEonLuebke",
-            {{"TSM", {"gWorld", "gLightViewProjection", "gLightPosition", "gUnitMm"}, {}},
-             kPrePass1,
-             kPrePass2,
-             {"Irradiance",
-              with(kLightOnMesh, {"gLightNear", "gLightFar", "gMix", "gRoughness", "gSpecularIntensity"}),
-              {"gSkinMap", "gNormalMap", "gEnergyAttenuationMap", "gTsmMap"}},
-             convolution("ConvolutionU1", "gIrradianceMap"),
-             convolution("ConvolutionUV1", "gIrradianceUMap"),
-             convolution("ConvolutionU2", "gIrradiance2Map"),
-             convolution("ConvolutionUV2", "gIrradianceUMap"),
-             convolution("ConvolutionU3", "gIrradiance3Map"),
-             convolution("ConvolutionUV3", "gIrradianceUMap"),
-             convolution("ConvolutionU4", "gIrradiance4Map"),
-             convolution("ConvolutionUV4", "gIrradianceUMap"),
-             convolution("ConvolutionU5", "gIrradiance5Map"),
-             convolution("ConvolutionUV5", "gIrradianceUMap"),
-             {"Final",
-              with(kLightOnMesh, {"gViewProjection", "gLightNear", "gLightFar", "gCameraPosition", "gMix", "gRoughness",
-                                  "gSpecularIntensity", "gGaussianWeight", "gPlainRoughness", "gPlainIntensity", "gTransmission"}),
-              {"gSkinMap", "gNormalMap", "gEnergyAttenuationMap", "gTsmMap", "gIrradianceMap", "gIrradiance2Map", "gIrradiance3Map",
-               "gIrradiance4Map", "gIrradiance5Map", "gIrradiance6Map"}}}};
+    return {
+        "DEonLuebke",
+        {{"TSM", {"gWorld", "gLightViewProjection", "gLightPosition", "gUnitMm"}, {}},
+         kPrePass1,
+         kPrePass2,
+         {"Irradiance",
+          with(kLightOnMesh, {"gLightNear", "gLightFar", "gMix", "gRoughness", "gSpecularIntensity"}),
+          {"gSkinMap", "gNormalMap", "gEnergyAttenuationMap", "gTsmMap"}},
+         convolution("ConvolutionU1", "gIrradianceMap"),
+         convolution("ConvolutionUV1", "gIrradianceUMap"),
+         convolution("ConvolutionU2", "gIrradiance2Map"),
+         convolution("ConvolutionUV2", "gIrradianceUMap"),
+         convolution("ConvolutionU3", "gIrradiance3Map"),
+         convolution("ConvolutionUV3", "gIrradianceUMap"),
+         convolution("ConvolutionU4", "gIrradiance4Map"),
+         convolution("ConvolutionUV4", "gIrradianceUMap"),
+         convolution("ConvolutionU5", "gIrradiance5Map"),
+         convolution("ConvolutionUV5", "gIrradianceUMap"),
+         {"Final",
+          with(kLightOnMesh, {"gViewProjection", "gLightNear", "gLightFar", "gCameraPosition", "gMix", "gRoughness", "gSpecularIntensity",
+                              "gGaussianWeight", "gPlainRoughness", "gPlainIntensity", "gTransmission", "gFlesh"}),
+          {"gSkinMap", "gNormalMap", "gEnergyAttenuationMap", "gTsmMap", "gIrradianceMap", "gIrradiance2Map", "gIrradiance3Map",
+           "gIrradiance4Map", "gIrradiance5Map", "gIrradiance6Map"}}}};
 }
 
 ExpectedPass laterBlur(const std::string& name, const std::string& source) {

@@ -89,13 +89,6 @@ TEST(PublishedValues, the_profile_is_the_printed_table_of_six_gaussians) {
             EXPECT_DOUBLE_EQ(profile[4 * gaussian + column], kPrintedProfile[gaussian][column]) << gaussian << ", " << column;
 }
 
-TEST(PublishedValues, the_widths_are_the_square_roots_of_the_variances) {
-    const std::vector<double> widths = defaultOf("gGaussianSigma", "2");
-    ASSERT_GE(widths.size(), 6U);
-    for (std::size_t gaussian = 0; gaussian < 6; ++gaussian) // three decimals are written
-        EXPECT_NEAR(widths[gaussian], std::sqrt(kPrintedProfile[gaussian][3]), 5.1e-4) << gaussian;
-}
-
 TEST(PublishedValues, the_library_has_the_same_table_and_widths) {
     std::ifstream file("hlsl/scatter/profile.fxh");
     std::vector<double> numbers;

@@ -47,15 +47,16 @@ Quadrature finer(int times) {
 }
 
 /// Under directional light along z, seen at the vertices of a sphere of 5 mm nearest to the given cosines.
-double sphereError(int levels) {
+double sphereError(int levels, const glm::dvec3& flesh = glm::dvec3(0)) {
     const Mesh mesh = sphereMesh(5, levels);
     const RayScene surface(mesh);
     double worst = 0;
     for (const double cosine : {1.0, 0.7, 0.3, 0.0, -0.3}) {
         const auto at = std::ranges::min_element(mesh.positions, {}, [&](const glm::vec3& p) { return std::abs(p.z / 5 - cosine); });
         const auto light = [](const SurfacePoint& p) { return glm::dvec3(std::max(0.0, glm::normalize(p.position).z)); };
-        const Diffused found = diffuse(surface, light, radial(skinProfile()), glm::dvec3(*at), halved(kDefault));
-        worst = std::max(worst, largest(found.light - sphere(skinProfile(), 5, static_cast<double>(at->z) / 5)));
+        const Diffused found =
+            diffuse(surface, light, radial(skinProfile(), flesh), glm::dvec3(*at), halved(kDefault), glm::normalize(glm::dvec3(*at)));
+        worst = std::max(worst, largest(found.light - sphere(skinProfile(), 5, static_cast<double>(at->z) / 5, flesh)));
     }
     return worst;
 }
@@ -130,6 +131,13 @@ TEST(SurfaceIntegral, on_a_sphere_comes_four_times_closer_with_each_halving_of_t
     EXPECT_NEAR(middle / fine, 4, 0.6);
 }
 
+/// With the factor 1 + c h, h = r^2 / (2 a).
+TEST(SurfaceIntegral, on_a_sphere_with_flesh_is_the_closed_form) {
+    const glm::dvec3 flesh(0.7, 1.8, 2.5);
+    EXPECT_LT(sphereError(6, flesh), 3e-4);
+    EXPECT_GT(largest(sphere(skinProfile(), 5, 0, flesh) - sphere(skinProfile(), 5, 0)), 0.01) << "which is felt";
+}
+
 TEST(SurfaceIntegral, on_a_sphere_counts_the_share_that_the_closed_form_does) {
     const Mesh mesh = sphereMesh(5, 6);
     const Diffused found = diffuse(
@@ -176,6 +184,26 @@ TEST(SurfaceIntegral, above_a_plane_is_the_slab_of_the_closed_form) {
             surface, [](const SurfacePoint&) { return glm::dvec3(1); }, radial(skinProfile()), {0.1, 0.2, height}, halved(kDefault));
         EXPECT_LT(largest(found.light - slab(skinProfile(), height)), 1e-6) << height << " mm";
     }
+}
+
+/// Through it h is the thickness, whatever the way.
+TEST(SurfaceIntegral, behind_a_slab_of_flesh_grows_with_the_thickness) {
+    const glm::dvec3 flesh(0.7, 1.8, 2.5);
+    const RayScene surface(wide());
+    for (const double thickness : {1.0, 4.0}) {
+        const Diffused found = diffuse(surface, [](const SurfacePoint&) { return glm::dvec3(1); }, radial(skinProfile(), flesh),
+                                       {0.1, 0.2, -thickness}, halved(kDefault), {0, 0, -1});
+        EXPECT_LT(largest(found.light - slab(skinProfile(), thickness) * (1.0 + flesh * thickness)), 1e-6) << thickness << " mm";
+    }
+}
+
+TEST(RayScene, distance_is_that_of_the_nearest_triangle) {
+    const Mesh mesh = sphereMesh(5, 6);
+    const RayScene surface(mesh);
+    EXPECT_NEAR(surface.distance({1, 2, -2}, 9), 2, 3e-3) << "facets of 0.12 mm";
+    EXPECT_EQ(surface.distance({1, 2, -2}, 1.5), 1.5);
+    const Mesh flat = plane(1, 1);
+    EXPECT_NEAR(RayScene(flat).distance({3, 0.5, 2}, 9), std::sqrt(8.0), 1e-12) << "beside an edge";
 }
 
 TEST(RayScene, around_finds_every_triangle_within_the_radius) {

@@ -4,14 +4,13 @@
 #include "lab/reference/bssrdf.h"
 #include "tests/lab/reference/meshes.h"
 #include "tests/lab/reference/near.h"
+#include "tests/lab/reference/own_cache.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
-#include <unistd.h>
 
 using namespace tegument;
 using namespace tegument::reference;
@@ -42,18 +41,8 @@ BssrdfOptions uncached() {
     return options;
 }
 
-/// A cache of its own, gone afterwards.
-class BssrdfCache : public testing::Test {
+class BssrdfCache : public OwnCache {
 protected:
-    BssrdfCache() : folder_(std::filesystem::temp_directory_path() / ("tegument-bssrdf-" + std::to_string(::getpid()))) {
-        if (const char* old = std::getenv("TEGUMENT_CACHE")) old_ = old;
-        ::setenv("TEGUMENT_CACHE", folder_.c_str(), 1);
-    }
-    ~BssrdfCache() override {
-        old_ ? ::setenv("TEGUMENT_CACHE", old_->c_str(), 1) : ::unsetenv("TEGUMENT_CACHE");
-        std::filesystem::remove_all(folder_);
-    }
-
     /// Radiance in the middle of a plane, and whether it had to be computed.
     std::pair<glm::dvec3, bool> compute(double fineness) {
         const SkinScene skin(mesh_, lightAt({0, 0, kFar}), glm::dvec3(1), skinSettings("corrected"));
@@ -67,7 +56,7 @@ protected:
 
     [[nodiscard]] std::vector<std::filesystem::path> files() const {
         std::vector<std::filesystem::path> found;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_ / "reference"))
+        for (const auto& entry : std::filesystem::directory_iterator(folder() / "reference"))
             found.push_back(entry.path());
         return found;
     }
@@ -75,8 +64,6 @@ protected:
     Mesh mesh_ = plane(20, 8);
 
 private:
-    std::filesystem::path folder_;
-    std::optional<std::string> old_;
 };
 
 } // namespace

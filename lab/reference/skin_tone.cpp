@@ -140,10 +140,12 @@ ToneResponse WhitePhotons::response(const SkinTone& tone) const {
     forEachInParallel(kWavelengths, [&](std::size_t i) {
         const double l = wavelengthOf(i);
         const Flesh flesh = fleshOf(tone, l);
-        const auto above = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(kWhiteNodes, l) - kWhiteNodes.begin(), 1, std::ssize(kWhiteNodes) - 1);
+        const auto above =
+            std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(kWhiteNodes, l) - kWhiteNodes.begin(), 1, std::ssize(kWhiteNodes) - 1);
         for (const auto node : {static_cast<std::size_t>(above - 1), static_cast<std::size_t>(above)}) {
             const auto other = node == static_cast<std::size_t>(above) ? node - 1 : node + 1;
-            const double share = (kWhiteNodes.at(other) - l) / (kWhiteNodes.at(other) - kWhiteNodes.at(node)) / static_cast<double>(photons_);
+            const double share =
+                (kWhiteNodes.at(other) - l) / (kWhiteNodes.at(other) - kWhiteNodes.at(node)) / static_cast<double>(photons_);
             if (share <= 0) continue;
             for (const Leaving& leaving : nodes_[node])
                 rings[i][leaving.ring] +=

@@ -3,9 +3,9 @@
 #include "host/adopt/adopt.h"
 #include "host/run/read_back.h"
 #include "host/run/scene_bounds.h"
-#include "host/scene/workspace_write.h"
 #include "host/support/file.h"
 #include "tools/view/levels.h"
+#include "tools/view/workspace_write.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "host/run/read_back.h"
 #include "host/run/scene_bounds.h"
-#include "host/scene/workspace_write.h"
 #include "host/support/kept_inputs.h"
+#include "tools/view/workspace_write.h"
 
 #include <fmt/format.h>
 

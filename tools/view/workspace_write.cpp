@@ -1,4 +1,4 @@
-#include "host/scene/workspace_write.h"
+#include "tools/view/workspace_write.h"
 
 #include "host/support/file.h"
 

@@ -1,7 +1,7 @@
 // A workspace that is written and read again is the same scene.
-#include "host/scene/workspace_write.h"
 #include "host/support/file.h"
 #include "tests/mesh/files.h"
+#include "tools/view/workspace_write.h"
 
 #include <cstdlib>
 

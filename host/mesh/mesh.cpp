@@ -178,6 +178,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
 } // namespace
 
 void markExpandedParts(Mesh& mesh) {
+    if (mesh.uvs.empty()) return; // a shader would have nothing to tell the vertices apart by
     const auto at = [&](std::size_t i) { return mesh.positions[mesh.indices[i]]; };
     for (MeshPart& part : mesh.parts) {
         const std::size_t end = std::size_t{part.firstIndex} + part.indexCount;

@@ -97,7 +97,7 @@ struct MeshOptions {
     Roots roots{};                // where else files may lie that the mesh file names: host/support/roots.h
 };
 
-/// Sets MeshPart::expanded by the positions.
+/// Sets MeshPart::expanded by the positions, in meshes with texture coordinates.
 void markExpandedParts(Mesh& mesh);
 
 /// glb/gltf, PLY, OBJ, STL, OFF by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.

@@ -232,9 +232,12 @@ TEST(DdsErrors, another_file_is_told_by_its_first_bytes) {
 
 // ---- Writing
 
+/// Of the words that the format reserves the seventh says who wrote the file, so that another program's is never replaced unseen.
+constexpr std::uint32_t kMark = 0x544d4754; // TGMT
+
 TEST(Dds, writes_the_documented_header) {
     Fixture expected(true);
-    expected.size(4, 2).dxgi(2).mips(3).set(2, 0x2100f).set(5, 64).set(27, 0x401008);
+    expected.size(4, 2).dxgi(2).mips(3).set(2, 0x2100f).set(5, 64).set(27, 0x401008).set(17, kMark);
     const std::string bytes = encodeDds(makeDds(rampOf(4, 2, 4), DdsFormat::Rgba32F, true));
     EXPECT_EQ(bytes.substr(0, 148), expected.bytes);
     EXPECT_EQ(bytes.size(), 148U + 16 * (8 + 2 + 1));
@@ -242,10 +245,10 @@ TEST(Dds, writes_the_documented_header) {
 
 TEST(Dds, writes_direct3d_9_s_header) {
     Fixture half(false);
-    half.size(4, 1).set(2, 0x100f).set(5, 32).set(7, 1).set(20, 4).set(21, 113);
+    half.size(4, 1).set(2, 0x100f).set(5, 32).set(7, 1).set(20, 4).set(21, 113).set(17, kMark);
     EXPECT_EQ(encodeDds(makeDds(rampOf(4, 1, 4), DdsFormat::Rgba16F, false), DdsHeader::Direct3D9).substr(0, 128), half.bytes);
     Fixture bytes(false);
-    bytes.size(1, 1).set(2, 0x100f).set(5, 4).set(7, 1).set(20, 0x41).set(22, 32);
+    bytes.size(1, 1).set(2, 0x100f).set(5, 4).set(7, 1).set(20, 0x41).set(22, 32).set(17, kMark);
     bytes.set(23, 0xff0000).set(24, 0xff00).set(25, 0xff).set(26, 0xff000000).body("\x33\x66\x99\xff");
     const Image color{.width = 1, .height = 1, .channels = 4, .pixels = {0.6F, 0.4F, 0.2F, 1}};
     EXPECT_EQ(encodeDds(makeDds(color, DdsFormat::Rgba8, false), DdsHeader::Direct3D9), bytes.bytes);

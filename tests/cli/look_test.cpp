@@ -215,7 +215,7 @@ TEST(Look, the_list_names_what_there_is_and_the_command_that_brings_what_is_not)
     };
     const auto mainRow = named("effects", "Main");
     EXPECT_EQ(mainRow["techniques"].front(), "DEonLuebke") << "the one that is drawn when none is named";
-    EXPECT_EQ(mainRow["presets"].size(), 3U);
+    EXPECT_EQ(mainRow["presets"].size(), 9U) << "three looks, six skins";
     EXPECT_EQ(named("effects", "Separable")["techniques"].size(), 4U);
     EXPECT_EQ(named("workspaces", "human")["ready"], false);
     EXPECT_EQ(named("workspaces", "human")["command"], "tegument prep human");

@@ -3,6 +3,7 @@
 #include "host/effect/check.h"
 #include "host/effect/code_view.h"
 #include "host/effect/parser.h"
+#include "host/support/kept_inputs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -116,6 +117,8 @@ Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options) {
     Roots roots = rootsOfEffect(file, options.includeFolders, options.roots);
     auto effect = loadFrom(file, options, accessTo(file, roots), "FX_D3D11");
+    if (!effect) // an include that is to be written counts as one that is not there
+        if (const auto kept = inputsAreKept(); !kept) return kept.error();
     if (effect) effect->roots = std::move(roots);
     return effect;
 }

@@ -199,9 +199,8 @@ private:
         const std::string kind = samplerKinds_.contains(stage) ? samplerKinds_[stage] : "2D";
         const std::string at = name == "tex" || operands.size() < 2 ? own : source(operands[1]);
         const std::string sampler = samplerOf(stage);
-        if (sampler.empty()) return "float4(1, 1, 1, 1)";
         const auto read = [&](std::string_view form, const std::string& place) {
-            return fmt::format("tex{}{}({}, {})", kind, form, sampler, place);
+            return sampler.empty() ? "float4(1, 1, 1, 1)" : fmt::format("tex{}{}({}, {})", kind, form, sampler, place);
         };
         const std::string place = kind == "2D" ? at + ".xy" : at + ".xyz";
         if (name == "tex" || name == "texld") return read("", place);

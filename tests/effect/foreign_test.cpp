@@ -99,7 +99,7 @@ TEST(ForeignObjects, take_parameters_as_arguments_of_their_calls) {
 
 TEST(ForeignObjects, that_this_host_cannot_draw_are_named_and_read) {
     const Effect assembly =
-        foreign("technique T { pass P { VertexShader = asm { vs_1_1\n dcl_position v0\n mov oPos, v0 }; PixelShader = NULL; } }");
+        foreign("technique T { pass P { VertexShader = NULL; PixelShader = asm { ps_1_3\n texm3x2pad t1, t0\n mov r0, t1 }; } }");
     EXPECT_EQ(assembly.techniques[0].passes[0].assemblyShaders, 1);
     EXPECT_TRUE(warns(assembly, 2021));
     const Effect stream =

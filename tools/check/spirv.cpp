@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <regex>
 
 namespace tegument::check {
 
@@ -59,18 +60,48 @@ void prepareFrame(const Effect& effect, Compiler compiler, const run::Programs& 
         addErrors(textures.error(), nullptr, Severity::Error, report);
 }
 
-/// Each pass as it would be drawn. Of another host's effect the technique that is drawn decides: errors of others are warnings.
-void makePasses(const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
-    const Technique* shown = effect.adopted ? effect.defaultTechnique() : nullptr;
+/// The compiler misses a name that stands in the arguments of `written`, the pass as the file has it: the file's own fault in any
+/// technique.
+bool isOfArguments(const Error& error, const Pass& written) {
+    const std::regex missed("undeclared identifier '(\\w+)'");
+    std::smatch found;
+    for (const Diagnostic& diagnostic : error.diagnostics)
+        if (std::regex_search(diagnostic.text, found, missed))
+            for (const auto* shader : {&written.vertexShader, &written.pixelShader})
+                if (*shader && std::ranges::any_of((*shader)->arguments, [&](const std::string& argument) {
+                        return std::regex_search(argument, std::regex("\\b" + found[1].str() + "\\b"));
+                    }))
+                    return true;
+    return false;
+}
+
+/// How much the error of a pass counts. Of another host's effect the technique that is drawn decides, and prepareFrame has its errors. Of
+/// our own, which engines with other vertex streams and targets load, too, this host's limits refuse the technique that is drawn here, but
+/// for those of the vertex stream.
+Severity severityOf(const Error& error, const Effect& effect, bool shown, const Pass* written) {
+    if (effect.adopted) return written != nullptr && isOfArguments(error, *written) ? Severity::Error : Severity::Warning;
+    constexpr int kRunning = 4000;
+    constexpr int kStream = 4042;
+    const int code = error.diagnostics.front().code;
+    return code < kRunning || (shown && code != kStream) ? Severity::Error : Severity::Warning;
+}
+
+/// Each pass as it would be drawn.
+void makePasses(const Work& work, const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
+    const Technique* shown = effect.defaultTechnique();
     run::Programs programs;
-    for (const Technique& technique : effect.techniques)
-        for (const Pass& pass : technique.passes) {
+    for (std::size_t t = 0; t < effect.techniques.size(); ++t)
+        for (std::size_t p = 0; p < effect.techniques[t].passes.size(); ++p) {
+            const Pass& pass = effect.techniques[t].passes[p];
+            const bool drawn = &effect.techniques[t] == shown;
+            const Pass* written =
+                t < work.effect().techniques.size() ? &work.effect().techniques[t].passes[p] : nullptr; // host/adopt adds one
             if (needsOtherStages(pass)) continue;
             auto made = run::compilePass(effect, pass, compiler, stages);
             if (made)
                 programs.emplace(&pass, std::make_shared<const run::PassProgram>(std::move(*made)));
-            else if (&technique != shown)
-                addErrors(made.error(), &pass, effect.adopted ? Severity::Warning : Severity::Error, report);
+            else if (!effect.adopted || !drawn)
+                addErrors(made.error(), &pass, severityOf(made.error(), effect, drawn, written), report);
         }
     if (effect.adopted) prepareFrame(effect, compiler, programs, report);
 }
@@ -94,7 +125,7 @@ void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) 
     const run::Stages stages = compileAll(effect, compiler);
     for (const auto& [key, shader] : stages)
         if (shader) append(report.diagnostics, shader->warnings);
-    makePasses(effect, compiler, stages, report);
+    makePasses(work, effect, compiler, stages, report);
     for (EntryPoint& entry : work.report.entries) {
         if (entry.undrawn) continue;
         ++report.entries;

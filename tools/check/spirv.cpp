@@ -31,6 +31,12 @@ const Effect& drawnBy(const Work& work, Compiler compiler) {
     return compiler == Compiler::Dxc && work.drawn ? *work.drawn : work.effect();
 }
 
+/// Passes without a shader, of fixed function: host/adopt writes those that are drawn.
+bool drawnByUs(const Work& work, Compiler compiler) {
+    return compiler == Compiler::Dxc && work.report.entries.empty() && work.drawn &&
+           std::ranges::any_of(work.drawn->techniques, [](const Technique& technique) { return !technique.passes.empty(); });
+}
+
 run::Stages compileAll(const Effect& effect, Compiler compiler) {
     std::vector<const Pass*> passes;
     for (const Technique& technique : effect.techniques)
@@ -115,7 +121,8 @@ void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
 }
 
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
-    if (std::string reason = obstacleFor(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
+    if (std::string reason = obstacleFor(work, compiler); !reason.empty() && !drawnByUs(work, compiler))
+        return leaveOut(report, std::move(reason));
     if (!compilerAvailable(compiler)) {
         report.reason = noCompiler(compiler);
         return;

@@ -94,24 +94,6 @@ static const bool kTgFewSlots = TG_FEW_SLOTS;
 #define TG_LEAVES_EARLY false
 #endif
 
-// Which of a pixel's samples a pixel shader covers: of four, `shares` holds 1 or 0 of each; where there are more, they repeat. Targets that
-// cannot say it by sample cover all or none, by the first. Direct3D 11 and SPIR-V: TG_COVERAGE_MEMBER stands in the shader's output.
-#if defined(FX_D3D11) || defined(FX_ENTRY)
-#define TG_COVERAGE_MEMBER uint covered : SV_Coverage;
-#define TG_COVER(output, shares) clip(dot(shares, 1.0) - 0.5); \
-    output.covered = (uint)(dot(shares, float4(1.0, 2.0, 4.0, 8.0)) + 0.5) * 0x11111111u
-#else
-#define TG_COVERAGE_MEMBER
-#define TG_COVER(output, shares) clip((shares).x - 0.5)
-#endif
-
-// Of an effect's passes and scripts, what Direct3D 9 has no use for.
-#ifdef TEGUMENT_HLSL_3
-#define TG_BEYOND_3(tokens)
-#else
-#define TG_BEYOND_3(tokens) tokens
-#endif
-
 // Compute shaders, where there are any (TEGUMENT_COMPUTE): Direct3D 11 and SPIR-V. TG_STORE2D(gXStore) is what they write of the target
 // gXMap, by texel; TG_STORE_PICTURE(gXStore) of the picture. Techniques that use them stand inside #ifdef TEGUMENT_COMPUTE_TECHNIQUES, and
 // there is one that draws the same.

@@ -51,7 +51,7 @@ TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
     const auto written = [](const glm::dvec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z); };
     const std::string parallel = litBy("parallel.json", "\"direction\": " + written(-toLight));
     const std::string point = litBy("point.json", "\"position\": " + written(60 * kRadius * toLight));
-    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute", "CoatChance"}) {
+    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute"}) {
         const std::vector<double> far = blocks(drawn(technique, point));
         const std::vector<double> rays = blocks(drawn(technique, parallel));
         ASSERT_EQ(far.size(), rays.size());
@@ -68,33 +68,4 @@ TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
         EXPECT_LT(std::sqrt(apart / all), 0.025)
             << technique << "; Strands 0.018, CoatSoft 0.015; lit from the root's own distance: 0.055, 0.124";
     }
-}
-
-TEST(FurLight, that_is_none_leaves_fibres_black) {
-    const std::string dark = write("dark.json", fmt::format(R"({{"mesh": "{}", "unit_mm": 1, "head": false, "background": [0, 0, 0],
- "light": {{"color": [0, 0, 0]}}}})",
-                                                            ballMesh()));
-    const Image image = drawn("CoatChance", dark);
-    ASSERT_FALSE(image.pixels.empty());
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                ASSERT_EQ(image.at(x, y, c), 0) << x << ", " << y;
-}
-
-TEST(FurLight, of_fibres_is_the_same_by_chance_as_by_many_samples) {
-    const std::string point = litBy("near.json", R"("position": [300, 400, 700])");
-    const auto mean = [&](const char* compiler, const char* samples) {
-        double sum = 0;
-        const Image image = render("chance", {"effects/FurCoat.fx", "-t", "CoatChance", "-w", point, "--size", "128x128", "--samples",
-                                              samples, "--compiler", compiler, "-D", "TEGUMENT_MAP_SIZE=512"})
-                                .image;
-        for (const float value : image.pixels)
-            sum += static_cast<double>(value);
-        return sum;
-    };
-    const double one = mean("dxc", "1");
-    EXPECT_GT(one, 0);
-    EXPECT_NEAR(mean("dxc", "4") / one, 1, 0.03) << "each sample has its own chance";
-    EXPECT_NEAR(mean("glslang", "4") / one, 1, 0.03);
 }

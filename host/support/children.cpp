@@ -32,6 +32,17 @@ bool readable(int socket, Clock::time_point deadline) {
     }
 }
 
+/// What a worker held of its process's files, pipes and sockets would stay open as long as the worker lives.
+void closeAllBut(int one, int other) {
+    unsigned from = STDERR_FILENO + 1;
+    for (const int kept : {std::min(one, other), std::max(one, other)}) {
+        if (kept < static_cast<int>(from)) continue;
+        if (static_cast<unsigned>(kept) > from) close_range(from, static_cast<unsigned>(kept) - 1, 0);
+        from = static_cast<unsigned>(kept) + 1;
+    }
+    close_range(from, ~0U, 0);
+}
+
 bool sendAll(int socket, const char* bytes, std::size_t count) {
     while (count > 0) {
         const ssize_t sent = send(socket, bytes, count, MSG_NOSIGNAL);
@@ -124,8 +135,7 @@ Children::Child Children::start() {
     if (process == 0) {
         close(ends[0]);
         close(lifeline[1]);
-        for (const int other : sockets_)
-            close(other);
+        closeAllBut(ends[1], lifeline[0]);
         endWith(lifeline[0]);
         serve(ends[1]);
     }

@@ -105,6 +105,8 @@ fs::path parentOfNamed(const fs::path& effect) {
     fs::path parent = resolved(effect).parent_path();
     std::vector<fs::path> files{resolved(effect)};
     for (std::size_t i = 0; i < files.size() && files.size() < kMostFiles; ++i) {
+        std::error_code none;
+        if (!fs::is_regular_file(files[i], none)) continue; // a pipe can be read once
         const Result<std::string> text = readFile(files[i]);
         if (!text) continue;
         for (std::string& name : quotedNames(*text)) {

@@ -40,6 +40,8 @@ const std::map<std::string, std::string>& explained() {
         {"fetch_water_projected",
          "anisotropic look-ups with gradients of the shader's own: Mesa's software device draws nothing of use, and dies of "
          "them on Vulkan, where this host leaves the anisotropy out"},
+        {"gamebryo_like", "its first technique is assembly with VertexShaderConstant, of which Microsoft's binary draws nothing in Wine; "
+                          "the cause is not known"},
         {"odd_spelling", "Microsoft's compiler takes a switch over a constant for its default in shader model 3"},
     };
     return kAll;

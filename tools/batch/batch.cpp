@@ -51,8 +51,8 @@ bool wasDone(const Batch& batch, Record& record) {
 /// Fills the record that has an input and a command.
 Result<void> run(const Batch& batch, Record& record) {
     const fs::path file = fs::absolute(recordFile(batch.results, record));
-    const Temporary folder(newTemporaryFolder());
-    const fs::path list = folder.path() / "files";
+    const Temporary used(fs::path(file) += ".used"); // beside the record: the folder for temporary files need not be one
+    const fs::path& list = used.path();
     ProcessCommand process{{batch.program}, {{kFilesUsedVariable, list.string()}}, true, batch.maxBytes}; // with stderr apart
     process.arguments.insert(process.arguments.end(), record.command.begin(), record.command.end());
     const auto begunAt = fs::file_time_type::clock::now();

@@ -51,6 +51,8 @@ bool wasDone(const Batch& batch, Record& record) {
 /// Fills the record that has an input and a command.
 Result<void> run(const Batch& batch, Record& record) {
     const fs::path file = fs::absolute(recordFile(batch.results, record));
+    std::error_code code;
+    fs::create_directories(file.parent_path(), code);
     const Temporary used(fs::path(file) += ".used"); // beside the record: the folder for temporary files need not be one
     const fs::path& list = used.path();
     ProcessCommand process{{batch.program}, {{kFilesUsedVariable, list.string()}}, true, batch.maxBytes}; // with stderr apart
@@ -63,7 +65,6 @@ Result<void> run(const Batch& batch, Record& record) {
     const FilesUsed files = filesUsed(list);
     record.program = batch.programIdentity;
     record.read = statesOf(files.read);
-    std::error_code code;
     for (auto& [name, state] : record.read)
         if (fs::last_write_time(name, code) > begunAt) state.hash.clear(); // written while the command ran
     record.written = statesOf(files.written);

@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
     program.footer(program.get_footer() + kExitCodes);
     tegument::app::limitMemory(program);
     if (const auto code = tegument::app::parse(program, argc, argv)) return *code;
-    return action();
+    return tegument::app::keepingInputs(action());
 }
 
 /// The C++ library, and oneTBB, whose exceptions for it have no type of their own.

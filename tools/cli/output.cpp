@@ -40,10 +40,24 @@ void say(const std::string& line) {
     std::fputs((line + '\n').c_str(), stderr);
 }
 
-int fail(const Error& error, bool json) {
+namespace {
+
+bool saidThatInputsAreKept = false;
+
+} // namespace
+
+int fail(const Error& given, bool json) {
+    const auto kept = inputsAreKept(); // a reader takes a file that is to be written for one that is not there
+    const Error& error = kept ? given : kept.error();
+    saidThatInputsAreKept = saidThatInputsAreKept || !kept;
     if (json) print({{"diagnostics", toJson(error.diagnostics)}});
     say(format(error));
     return static_cast<int>(error.blame);
+}
+
+int keepingInputs(int code) {
+    const auto kept = inputsAreKept();
+    return kept || saidThatInputsAreKept ? code : fail(kept.error(), false);
 }
 
 void warn(const std::vector<Diagnostic>& warnings) {

@@ -25,7 +25,10 @@ void print(const Json& json);
 void say(const std::string& line);
 
 /// Prints the error (with `json` as {"diagnostics": [...]} on standard output too) and returns the exit code that belongs to it.
+/// Where an input was to be written it is that error instead (TG5004).
 int fail(const Error& error, bool json);
+/// The exit code of a command, or of TG5004 where a reader took an input that was to be written for one that is not there.
+int keepingInputs(int code);
 void warn(const std::vector<Diagnostic>& warnings);
 
 /// TG8024 when the path's ending is none of these (".png", ...), TG5002 when nothing can be written there, TG5004 when it is read: asked

@@ -1,5 +1,7 @@
 #include "tools/cli/typeface.h"
 
+#include "host/support/kept_inputs.h"
+
 #include <fmt/format.h>
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -64,6 +66,7 @@ int forEachGlyph(FT_Face face, std::string_view text, Visit&& visit) {
 } // namespace
 
 Result<Typeface> Typeface::open(const std::filesystem::path& file, int size) {
+    if (const auto read = kept::noteRead(file); !read) return read.error(); // FreeType opens it itself
     const auto face = std::make_shared<Face>();
     if (FT_Init_FreeType(&face->library) != 0 || FT_New_Face(face->library, file.c_str(), 0, &face->face) != 0 ||
         FT_Set_Pixel_Sizes(face->face, 0, static_cast<FT_UInt>(size)) != 0)

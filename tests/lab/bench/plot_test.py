@@ -12,7 +12,7 @@ if importlib.util.find_spec("matplotlib") is None:
     sys.exit(77)
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-spec = importlib.util.spec_from_file_location("plot", ROOT / "host" / "lab" / "bench" / "plot.py")
+spec = importlib.util.spec_from_file_location("plot", ROOT / "lab" / "bench" / "plot.py")
 plot = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(plot)
 

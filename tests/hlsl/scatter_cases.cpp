@@ -63,6 +63,16 @@ std::vector<FunctionCase> flesh() {
                              return isUnit(x.vec3(0)) && isUnit(x.vec3(1)) && x.scalar(2) > 0.5 &&
                                     glm::length(x.vec3(0) - x.vec3(1)) > 0.05;
                          }});
+    cases.push_back({.function = "tgFleshCurvature",
+                     .body = "return tgFleshCurvature(a2 * a0, a0, a2 * a1, a1).xxxx;",
+                     .arguments = {unit(), unit(), linear(1, 20)},
+                     .expected = [](const Inputs& x) { return values(1 / x.scalar(2), 1 / x.scalar(2), 1 / x.scalar(2), 1 / x.scalar(2)); },
+                     .tolerance = sums,
+                     .domain =
+                         [](const Inputs& x) {
+                             return isUnit(x.vec3(0)) && isUnit(x.vec3(1)) && x.scalar(2) > 0.5 &&
+                                    glm::length(x.vec3(0) - x.vec3(1)) > 0.05;
+                         }});
     cases.push_back({.function = "tgFleshShare",
                      .body = "return float4(tgFleshShare(a0, a1, a2), 0);",
                      .arguments = {linear(0, 3, 3), linear(0, 1), linear(0, 12)},

@@ -49,6 +49,7 @@ bool saidThatInputsAreKept = false;
 int fail(const Error& given, bool json) {
     const auto kept = inputsAreKept(); // a reader takes a file that is to be written for one that is not there
     const Error& error = kept ? given : kept.error();
+    if (!kept && saidThatInputsAreKept) return static_cast<int>(error.blame);
     saidThatInputsAreKept = saidThatInputsAreKept || !kept;
     if (json) print({{"diagnostics", toJson(error.diagnostics)}});
     say(format(error));

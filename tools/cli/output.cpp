@@ -58,7 +58,8 @@ int fail(const Error& given, bool json) {
 
 int keepingInputs(int code) {
     const auto kept = inputsAreKept();
-    return kept || saidThatInputsAreKept ? code : fail(kept.error(), false);
+    if (kept || saidThatInputsAreKept) return code;
+    return code == 0 ? fail(kept.error(), false) : static_cast<int>(kept.error().blame); // a report has said it
 }
 
 void warn(const std::vector<Diagnostic>& warnings) {

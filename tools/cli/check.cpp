@@ -1,6 +1,7 @@
 // tegument check: does an effect compile for every target? No GPU is needed.
 
 #include "tools/check/check.h"
+#include "host/support/kept_inputs.h"
 #include "meshprep/assets/names.h"
 #include "tools/check/resources.h"
 #include "tools/cli/check_page.h"
@@ -302,6 +303,7 @@ int check(const CheckArguments& arguments) {
         print(run);
     else
         printText(report, arguments, *emitted);
+    if (!inputsAreKept()) return exitCode(report, arguments.skipMissing); // the report has said it, and its page would replace an input
     const auto told = tellReport(arguments.report, *earlier, run, checkFigures, [&] { return checkPage(run); });
     if (!told) return fail(told.error(), false);
     return exitCode(report, arguments.skipMissing);

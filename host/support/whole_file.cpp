@@ -152,6 +152,7 @@ int writeWhole(const fs::path& path, std::string_view bytes) {
 }
 
 int makesFileIn(const fs::path& folder) {
+    if (const Descriptor nameless(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kForAll)); nameless.number() >= 0) return 0;
     std::string probe = (folder / ".tegument.XXXXXX").string();
     const int descriptor = ::mkstemp(probe.data());
     if (descriptor < 0) return errno;

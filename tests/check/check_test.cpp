@@ -67,19 +67,21 @@ TEST(Targets, have_the_names_of_the_command_line) {
     EXPECT_TRUE(targetsByName("fx_3_0").empty());
 }
 
-TEST(Effects, compile_to_spirv_by_both_compilers_which_see_the_same_parameters_in_every_setting) {
-    const auto files = effectFiles();
-    ASSERT_FALSE(files.empty());
-    const CheckReport report = checkEffects(files, spirvTargets(), {.includeFolders = {}, .allSettings = true});
-    EXPECT_EQ(report.files.size(), 3 * files.size());
+class EveryEffect : public testing::TestWithParam<fs::path> {};
+
+INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(effectFiles()), effectName);
+
+TEST_P(EveryEffect, compiles_to_spirv_by_both_compilers_which_see_the_same_parameters_in_every_setting) {
+    const CheckReport report = checkEffects({GetParam()}, spirvTargets(), {.includeFolders = {}, .allSettings = true});
+    EXPECT_EQ(report.files.size(), 3U);
     for (const FileReport& file : report.files)
         for (const TargetCheck& target : file.targets)
             EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
 }
 
-TEST(Effects, compile_for_direct3d_12_in_every_setting) {
+TEST_P(EveryEffect, compiles_for_direct3d_12_in_every_setting) {
     if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
-    for (const FileReport& file : checkEffects(effectFiles(), {Target::Dxil}, {.includeFolders = {}, .allSettings = true}).files)
+    for (const FileReport& file : checkEffects({GetParam()}, {Target::Dxil}, {.includeFolders = {}, .allSettings = true}).files)
         EXPECT_EQ(file.targets.at(0).verdict, Verdict::Passed) << describe(file);
 }
 

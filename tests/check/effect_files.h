@@ -3,8 +3,11 @@
 
 #include "tools/check/check.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace tegument::test {
@@ -16,6 +19,11 @@ inline std::vector<std::filesystem::path> effectFiles() {
         if (entry.path().extension() == ".fx") files.push_back(entry.path());
     std::ranges::sort(files);
     return files;
+}
+
+/// Of a test that has one of these files as its parameter.
+inline std::string effectName(const testing::TestParamInfo<std::filesystem::path>& each) {
+    return each.param.stem().string();
 }
 
 /// By the compilers that this machine has.

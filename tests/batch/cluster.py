@@ -126,8 +126,9 @@ class Cluster:
                 pids.append(int(process.name))
         return pids
 
-    def has_processes(self, node):
-        return bool(self.processes(node))
+    def runs(self, node, program):
+        """Whether a job of the node is at work in this program."""
+        return any(self.command(pid).startswith(os.fsencode(program) + b"\0") for pid in self.processes(node))
 
     def kill_processes(self, node):
         """What runs in the node's jobs, the step daemons first: they must not tell the controller."""
@@ -138,7 +139,7 @@ class Cluster:
                 parents.append(int((pathlib.Path("/proc") / str(pid) / "stat").read_text().rsplit(")", 1)[1].split()[1]))
             except (OSError, ValueError):
                 pass
-        stepd = [pid for pid in parents if self.is_step_daemon(pid)]
+        stepd = [pid for pid in parents if self.command(pid).startswith(b"slurmstepd")]
         for pid in (*stepd, *pids):
             try:
                 os.kill(pid, signal.SIGKILL)
@@ -147,11 +148,12 @@ class Cluster:
         return len(pids)
 
     @staticmethod
-    def is_step_daemon(pid):
+    def command(pid):
+        """Its words, each with a 0 behind; empty of a process that has ended."""
         try:
-            return (pathlib.Path("/proc") / str(pid) / "cmdline").read_bytes().startswith(b"slurmstepd")
+            return (pathlib.Path("/proc") / str(pid) / "cmdline").read_bytes()
         except OSError:
-            return False
+            return b""
 
     def kill_node(self, node):
         """As when its power goes: its daemon and all that it runs, at once. How many processes its jobs had."""

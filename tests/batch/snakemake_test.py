@@ -75,7 +75,7 @@ class Snakefile(unittest.TestCase):
             def kill():
                 end = time.monotonic() + 1200
                 while time.monotonic() < end:
-                    if len(self.made()) >= SCANS and slurm.has_processes("n2"):
+                    if len(self.made()) >= SCANS and slurm.runs("n2", PROGRAM):
                         killed.append((len(self.made()), slurm.kill_node("n2")))
                         return
                     time.sleep(0.05)
@@ -89,7 +89,7 @@ class Snakefile(unittest.TestCase):
         before, processes = killed[0]
         print(f"node n2 killed after {before} of {3 * SCANS + 1} files, with {processes} processes; {said.count('Trying to restart')} jobs restarted")
         self.assertLess(before, 3 * SCANS + 1)
-        self.assertGreater(said.count("Trying to restart"), 0, "a job of that node was lost and run again")
+        self.assertGreater(said.count("Trying to restart"), 0, f"a job of that node was lost and run again: {said[-6000:]}")
         self.holds_all(names)
         for file in (self.folder / "pictures").glob("*.png"):
             self.assertTrue(file.read_bytes().endswith(b"IEND\xaeB`\x82"), file)

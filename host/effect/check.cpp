@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 44> kAnnotations{{
+constexpr std::array<KnownAnnotation, 45> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -65,6 +65,7 @@ constexpr std::array<KnownAnnotation, 44> kAnnotations{{
     {"Producer", kText},
     {"ColorSpace", kText},
     {"Metadata", kText},
+    {"Formerly", kText},
     {"Fallback", kNumber, 4, 4},
     {"ViewportRatio", kNumber, 2, 2},
     {"Dimensions", kNumber, 2, 3},

@@ -50,7 +50,7 @@ TEST(Samples, four_give_the_rim_of_a_ball_steps_of_a_quarter) {
 }
 
 TEST(Samples, every_technique_of_the_skin_draws_with_four) {
-    for (const char* technique : {"DEonLuebke", "Gosselin", "GosselinCulled"}) {
+    for (const char* technique : {"DEonLuebke", "Gosselin"}) {
         const Picture four = render(technique, {"effects/Main.fx", "-t", technique, "-w", ballWorkspace(), "--size", "64x64", "--map-size",
                                                 "64", "--samples", "4"});
         EXPECT_EQ(four.report["samples"], 4) << technique;

@@ -1,7 +1,7 @@
 #include "host/run/prepare.h"
 
 #include "host/run/geometry.h"
-#include "host/run/pause.h"
+#include "host/run/pieces.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 // under dynamic rendering, so these tests look at the recorder's own state; the barriers follow from it (track_test.cpp).
 // Colours that no target takes.
 
-#include "host/gpu/outputs.h"
 #include "host/gpu/recorder_state.h"
 #include "host/gpu/spirv.h"
 #include "shaders/color_frag.h"

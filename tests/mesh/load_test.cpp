@@ -1,6 +1,6 @@
 // What loadMesh checks whatever the format.
 
-#include "host/mesh/length.h"
+#include "host/mesh/extent.h"
 #include "tests/mesh/files.h"
 
 #include <random>

@@ -2,7 +2,7 @@
 // be.
 
 #include "host/run/pieces.h"
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"

@@ -1,9 +1,9 @@
 // Both compilers see the same interface in every entry point of every effect: parameters, types, offsets, resources, semantics.
 
 #include "host/effect/model.h"
-#include "host/run/constants.h"
 #include "host/run/pixels.h"
 #include "host/run/target_desc.h"
+#include "host/run/values.h"
 #include "host/spirv/compile.h"
 #include "tests/run/fixture.h"
 #include "tests/spirv/missing.h"

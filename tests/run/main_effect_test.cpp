@@ -2,7 +2,7 @@
 // effects/Pyramid.fx on a sphere: what its techniques draw of the same scene.
 
 #include "host/image/compare.h"
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"

@@ -1,7 +1,7 @@
 // Pictures one after another take no memory, as a viewer that stays open shows them.
 // How a mesh lies on its texture: figures by hand.
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "tests/gpu/with_device.h"
 #include "tests/run/fixture.h"
 #include "tools/view/canvas.h"

@@ -2,10 +2,10 @@
 // The surface in strata: shares of the roots, and points of them.
 // Which mesh roots were made for.
 
+#include "meshprep/fur/roots/fur_surface.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "meshprep/fur/roots/scatter.h"
 #include "meshprep/fur/roots/strata.h"
-#include "meshprep/fur/roots/surface_figures.h"
 #include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 

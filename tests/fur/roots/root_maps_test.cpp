@@ -3,10 +3,10 @@
 // The roots' texture, read as a shader reads it, against all roots one by one.
 
 #include "host/support/file.h"
+#include "meshprep/fur/roots/root_maps.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "meshprep/fur/roots/roots.h"
 #include "meshprep/fur/roots/scatter.h"
-#include "meshprep/fur/roots/vertex_maps.h"
 #include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 

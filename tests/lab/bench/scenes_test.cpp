@@ -5,7 +5,6 @@
 #include "host/effect/model.h"
 #include "host/support/file.h"
 #include "lab/bench/bench.h"
-#include "lab/bench/kept_light.h"
 #include "lab/bench/light_set.h"
 #include "lab/bench/scenes.h"
 #include "lab/bench/shapes.h"

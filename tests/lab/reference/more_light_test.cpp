@@ -3,7 +3,7 @@
 
 #include "lab/reference/more_light.h"
 #include "lab/reference/pinhole.h"
-#include "lab/reference/quadrature.h"
+#include "lab/reference/radial.h"
 #include "lab/reference/skin.h"
 #include "lab/reference/specular.h"
 #include "tests/lab/reference/meshes.h"

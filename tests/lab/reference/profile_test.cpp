@@ -3,8 +3,7 @@
 // Colours of skin: closed forms of colorimetry, photons weighed afterwards against photons absorbed on their way, and the six classes.
 
 #include "lab/reference/profile.h"
-#include "lab/reference/quadrature.h"
-#include "lab/reference/skin_profiles.h"
+#include "lab/reference/radial.h"
 #include "lab/reference/skin_tone.h"
 #include "tests/lab/reference/near.h"
 

@@ -3,7 +3,7 @@
 
 #include "host/support/file.h"
 #include "lab/reference/body_photons.h"
-#include "lab/reference/quadrature.h"
+#include "lab/reference/radial.h"
 #include "lab/reference/tissue.h"
 #include "tests/lab/reference/meshes.h"
 #include "tests/lab/reference/own_cache.h"

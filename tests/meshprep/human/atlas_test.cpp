@@ -2,7 +2,6 @@
 #include "host/mesh/mesh.h"
 #include "meshprep/human/atlas.h"
 #include "meshprep/human/cut.h"
-#include "meshprep/human/unfold.h"
 #include "shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // What the file's form is made into: a neck that ends, ears as sharp as they were modelled, lids over the cornea.
 
 #include "meshprep/human/bust.h"
+#include "meshprep/human/cut.h"
 #include "meshprep/human/ears.h"
-#include "meshprep/human/edge_ways.h"
 #include "meshprep/human/exterior.h"
 #include "meshprep/human/neck.h"
 #include "meshprep/human/subdivide.h"

@@ -1,4 +1,4 @@
-#include "meshprep/human/charts.h"
+#include "meshprep/human/atlas.h"
 #include "meshprep/human/quad_mesh.h"
 #include "meshprep/human/subdivide.h"
 #include "shapes.h"

@@ -2,9 +2,6 @@
 
 #include "meshprep/human/bake.h"
 #include "meshprep/human/brows.h"
-#include "meshprep/human/eye_color.h"
-#include "meshprep/human/pigment.h"
-#include "meshprep/human/shine.h"
 #include "meshprep/human/skin_color.h"
 #include "meshprep/human/skin_relief.h"
 #include "tests/meshprep/spread.h"

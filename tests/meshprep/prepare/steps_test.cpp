@@ -3,7 +3,7 @@
 
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/levels.h"
-#include "meshprep/prepare/nearest.h"
+#include "meshprep/prepare/near_surface.h"
 #include "meshprep/prepare/vertex_format.h"
 #include "meshprep/prepare/vertices.h"
 #include "tests/meshprep/prepare/meshes.h"

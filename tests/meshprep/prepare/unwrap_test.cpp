@@ -3,7 +3,7 @@
 
 #include "meshprep/prepare/charts.h"
 #include "meshprep/prepare/clean.h"
-#include "meshprep/prepare/root_mapping.h"
+#include "meshprep/prepare/mapping.h"
 #include "meshprep/prepare/unwrap.h"
 #include "tests/meshprep/prepare/meshes.h"
 #include "tests/meshprep/scan_files.h"

@@ -1,22 +1,16 @@
 // Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause
-// should be seen; below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
-// ReachDEonLuebke and ReachGosselin, the form that leaves the picture as it is (DEonLuebkeCulled, GosselinCulled).
+// should be seen; below the whole mesh from the eye's side and from behind. Technique PrePass: passes 2 and 3 in the form of the setting.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
-#include "../hlsl/shadow.fxh"
+#include "../hlsl/surface.fxh"
 #include "../hlsl/cull.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
-#include "passes/tsm.fxh"
-#include "passes/stretch.fxh"
-#include "passes/profile.fxh"
-#include "passes/blur_parameters.fxh"
 #include "passes/cull.fxh"
-#include "passes/reach.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("ReachDEonLuebke") > = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("PrePass") > = 0.8;
 
 float4 gFrustumColor < UI_COLOUR("Outside the view") > = { 0.02, 0.12, 0.80, 1.0 };
 float4 gBackFaceColor < UI_COLOUR("Facing away") > = { 0.85, 0.28, 0.02, 1.0 };
@@ -63,12 +57,6 @@ float4 HiddenPS(CauseVarying input) : SV_Target0
     if (kTgCullPerPixel)
         return causeColour(outsidePoint(input.cull) ? 1.0 : 0.0, facesAway(input.cull, 0.0) ? 1.0 : 0.0);
     return causeColour(input.hidden.x, input.hidden.y);
-}
-
-// Whatever the reach does not spare either is outside or faces away.
-float4 HiddenReachPS(CauseVarying input) : SV_Target0
-{
-    return causeColour(tgCullOutside(input.cull.clip) ? 1.0 : 0.0, 1.0);
 }
 
 // Drawn at depth 0 with EQUAL, as the passes are that the prepasses spare.
@@ -148,42 +136,15 @@ float4 ShowPS(PanelVarying input) : SV_Target0
 #define CAUSES_SCRIPT \
     UNWRAP_SCRIPT("gCullingMap", "gBlackColor") "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;" \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"
-#define SHOW_PASSES \
-    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL) \
-    TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER) \
-    TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID) \
-    TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID) \
-    TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
-
-technique PrePass < string Script = CAUSES_SCRIPT; >
+technique PrePass < string Formerly = "ReachDEonLuebke, ReachGosselin"; string Script = CAUSES_SCRIPT; >
 {
     TG_MESH_PASS(Hidden, HiddenVS, HiddenPS, TG_STATE_BUFFER)
     TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
     TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
-    SHOW_PASSES
-}
-
-technique ReachDEonLuebke < string Script =
-    TSM_SCRIPT
-    REACH_SCRIPT
-    CAUSES_SCRIPT; >
-{
-    TSM_PASS
-    CASCADE_REACH_PASSES
-    TG_MESH_PASS(Hidden, HiddenVS, HiddenReachPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
-    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
-    SHOW_PASSES
-}
-
-technique ReachGosselin < string Script =
-    REACH_SCRIPT
-    CAUSES_SCRIPT; >
-{
-    BLUR_REACH_PASSES
-    TG_MESH_PASS(Hidden, HiddenVS, HiddenReachPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
-    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
-    SHOW_PASSES
+    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
 }
 #endif

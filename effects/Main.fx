@@ -1,7 +1,6 @@
 // Main: human skin, in 15 passes after d'Eon and Luebke 2007 and in 8 after Gosselin, Sander and Mitchell 2004, as seed 000 Tables 3 and 4
 // order them. Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin;
-// DEonLuebkeCulled and GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without
-// diffusion, to set beside them.
+// Lambert, the same scene without diffusion, to set beside them.
 #define TEGUMENT_LIGHTS_IN_ONE_PASS (1 - TEGUMENT_LOBES)
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
@@ -36,7 +35,6 @@
 #include "passes/blur_parameters.fxh"
 #include "passes/poisson.fxh"
 #include "passes/cull.fxh"
-#include "passes/reach.fxh"
 #include "passes/final.fxh"
 #include "passes/final_gosselin.fxh"
 
@@ -45,7 +43,7 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 #ifdef FX_TECHNIQUES
-technique DEonLuebke < string Script =
+technique DEonLuebke < string Formerly = "DEonLuebkeCulled"; string Script =
     LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd; Pass=Irradiance;"
@@ -63,27 +61,7 @@ technique DEonLuebke < string Script =
     LIGHTS_PASSES(Skin, SurfaceVS)
 }
 
-technique DEonLuebkeCulled < string Script =
-    LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
-    REACH_SCRIPT
-    UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
-    "Pass=PrePass1; Pass=PrePass2; Pass=Irradiance;"
-    CASCADE_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Skin"); >
-{
-    LAMPS_PASSES
-    OWN_SHADOW_PASS
-    TSM_PASS
-    CASCADE_REACH_PASSES
-    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
-    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
-    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
-    CASCADE_PASSES(TG_STATE_EQUAL)
-    TG_MESH_PASS(Final, SurfaceVS, FinalPS, TG_STATE_SOLID)
-    LIGHTS_PASSES(Skin, SurfaceVS)
-}
-
-technique Gosselin < string Script =
+technique Gosselin < string Formerly = "GosselinCulled"; string Script =
     LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd; Pass=Irradiance;"
@@ -95,29 +73,6 @@ technique Gosselin < string Script =
     SHADOW_MAP_PASS
     TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
     TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
-    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_EQUAL)
-    BLUR_PASSES_1_TO_3(TG_STATE_EQUAL)
-    TG_MESH_PASS(Final, SurfaceVS, GosselinFinalPS, TG_STATE_SOLID)
-    BLUR_PASSES_4_TO_6(TG_STATE_EQUAL)
-    TG_MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, TG_STATE_SOLID)
-    LIGHTS_PASSES(Gosselin, SurfaceVS)
-    LIGHTS_PASSES(GosselinEven, SurfaceVS)
-}
-
-technique GosselinCulled < string Script =
-    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
-    REACH_SCRIPT
-    UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
-    "Pass=PrePass1; Pass=PrePass2; Pass=Irradiance;"
-    BLURS_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven")
-    LIGHTS_BLURRED_SCRIPT("Gosselin", "GosselinEven"); >
-{
-    LAMPS_PASSES
-    SHADOW_MAP_PASS
-    BLUR_REACH_PASSES
-    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
-    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
     TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_EQUAL)
     BLUR_PASSES_1_TO_3(TG_STATE_EQUAL)
     TG_MESH_PASS(Final, SurfaceVS, GosselinFinalPS, TG_STATE_SOLID)

@@ -46,9 +46,4 @@ float4 tgPoissonBlur(TG_SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 r
     return float4(sum / 13.0, first.w);
 }
 
-float2 tgPoissonReach(float size, float count)
-{
-    return float2(0.0, (2.0 * size * kTgPoissonLongest + 0.5) * count);
-}
-
 #endif

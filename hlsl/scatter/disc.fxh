@@ -7,7 +7,5 @@ static const float2 kTgPoissonDisc[12] = {
     float2(0.962340, -0.194983), float2(0.473434, -0.480026), float2(0.519456, 0.767022), float2(0.185461, -0.893124),
     float2(0.507431, 0.064425), float2(0.896420, 0.412458), float2(-0.321940, -0.932615), float2(-0.791559, -0.597710)
 };
-// Longest of the points, mean subtracted or not.
-static const float kTgPoissonLongest = 1.01;
 
 #endif

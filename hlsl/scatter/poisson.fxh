@@ -52,10 +52,4 @@ float4 tgPoissonBlur(TG_SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 r
     return total > 0.0 ? float4(mean.rgb, inside > 0.0 ? centre.w : mean.w) : kTgInvalidTexel;
 }
 
-// How far `count` blurs reach where the kernel size is 1: mm on the surface, texels besides. Taps fall on the nearest texel.
-float2 tgPoissonReach(float size, float count)
-{
-    return float2(size * kTgPoissonLongest * count, (kTgPoissonFill + 0.5) * count);
-}
-
 #endif

@@ -1,11 +1,11 @@
 #include "host/adopt/flow.h"
 
 #include "host/adopt/spelling.h"
+#include "host/effect/operators.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <unordered_map>
 
@@ -544,33 +544,8 @@ private:
         return left;
     }
 
-    struct Op {
-        std::string_view text;
-        int precedence;
-    };
-
-    static std::optional<Op> operatorAt(const Cursor& c) {
-        static constexpr std::array<Op, 19> kOps{{{"||", 1},
-                                                  {"&&", 2},
-                                                  {"==", 6},
-                                                  {"!=", 6},
-                                                  {"<=", 7},
-                                                  {">=", 7},
-                                                  {"<<", 8},
-                                                  {">>", 8},
-                                                  {"|", 3},
-                                                  {"^", 4},
-                                                  {"&", 5},
-                                                  {"<", 7},
-                                                  {">", 7},
-                                                  {"+", 9},
-                                                  {"-", 9},
-                                                  {"*", 10},
-                                                  {"/", 10},
-                                                  {"%", 10},
-                                                  {"", 0}}};
-        for (const Op& op : kOps) {
-            if (op.text.empty()) break;
+    static std::optional<Operator> operatorAt(const Cursor& c) {
+        for (const Operator& op : kOperators) {
             if (op.text.size() == 2 ? !c.isPair(op.text[0], op.text[1]) : !c.is(op.text)) continue;
             if (op.text.size() == 1 && c.isPair(op.text[0], '=')) return std::nullopt; // +=
             return op;

@@ -79,7 +79,13 @@ const StorageTexture* Effect::findStorage(std::string_view name) const {
 }
 
 const Technique* Effect::findTechnique(std::string_view name) const {
-    return findIgnoringCase(techniques, name);
+    if (const Technique* named = findIgnoringCase(techniques, name)) return named;
+    const auto had = [&](const Technique& technique) {
+        const std::string former = toLower(", " + technique.annotations.string("Formerly").value_or("") + ", ");
+        return !name.empty() && former.find(", " + toLower(name) + ", ") != std::string::npos;
+    };
+    const auto renamed = std::ranges::find_if(techniques, had);
+    return renamed == techniques.end() ? nullptr : &*renamed;
 }
 
 const Technique* Effect::defaultTechnique() const {

@@ -191,7 +191,8 @@ struct Effect {
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact
     [[nodiscard]] const Sampler* findSampler(std::string_view name) const;        // exact
     [[nodiscard]] const StorageTexture* findStorage(std::string_view name) const; // exact
-    [[nodiscard]] const Technique* findTechnique(std::string_view name) const;    // ignores case
+    [[nodiscard]] const Technique*
+    findTechnique(std::string_view name) const; // ignores case; by its names of before, too (annotation Formerly)
     /// The technique that the global script names, else `shown`, else the first one; null when there is none.
     [[nodiscard]] const Technique* defaultTechnique() const;
 };

@@ -3,7 +3,6 @@
 #include "host/gpu/device_state.h"
 #include "host/gpu/error.h"
 #include "host/gpu/format.h"
-#include "host/gpu/outputs.h"
 #include "host/gpu/pipeline_check.h"
 #include "host/gpu/pipeline_layout.h"
 #include "host/gpu/spirv.h"

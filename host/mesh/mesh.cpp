@@ -2,8 +2,8 @@
 
 #include "host/mesh/mesh.h"
 
+#include "host/mesh/extent.h"
 #include "host/mesh/facing.h"
-#include "host/mesh/length.h"
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/normals.h"
 #include "host/mesh/triangles.h"

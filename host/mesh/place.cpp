@@ -1,7 +1,7 @@
 // Coordinates of a survey: a body of ten metres, five thousand kilometres from where the coordinates count from. 32-bit floats have steps
 // of half a metre there.
 
-#include "host/mesh/length.h"
+#include "host/mesh/extent.h"
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/welding.h"
 

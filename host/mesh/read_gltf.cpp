@@ -1,21 +1,432 @@
 // glTF 2.0 scenes -> one mesh: the default scene's nodes with their transforms applied, every primitive a part.
 
+#include "host/mesh/gltf_document.h"
 #include "host/mesh/gltf_draco.h"
-#include "host/mesh/gltf_images.h"
-#include "host/mesh/gltf_losses.h"
-#include "host/mesh/gltf_scene.h"
+#include "host/mesh/materials.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <span>
 
 namespace tegument::meshfile {
 
 namespace {
+
+/// How positions, normals and tangents of one node are carried into the world.
+struct GltfCarrier {
+    glm::dmat4 matrix{1};
+    glm::dmat3 linear{1};
+    glm::dmat3 normals{1};
+    bool mirrors = false;
+    bool turns = true; // false: a uniform scale leaves directions bit for bit as they are
+
+    explicit GltfCarrier(const glm::dmat4& m) : matrix(m), linear(m) {
+        const double scale = linear[0][0];
+        turns = !(scale > 0 && linear == glm::dmat3(scale));
+        mirrors = glm::determinant(linear) < 0;
+        // cofactor matrix: the inverse transpose without its division, so it exists for flattened meshes too
+        normals = glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
+        if (mirrors) normals = -normals;
+    }
+
+    [[nodiscard]] glm::vec3 direction(const glm::dmat3& by, const glm::vec3& v) const {
+        if (!turns) return v;
+        const glm::dvec3 carried = by * glm::dvec3(v);
+        const double length = glm::length(carried);
+        return length > 0 ? glm::vec3(carried / length) : glm::vec3(0);
+    }
+};
+
+/// A mesh as one node draws it.
+struct GltfDraw {
+    std::size_t mesh = 0;
+    std::string nodeName;
+    GltfCarrier carrier;
+};
+
+/// A node to visit, with the product of the transforms above it (GLM's order: column vectors, as the specification writes them).
+struct Visit {
+    std::size_t node = 0;
+    glm::dmat4 parent{1};
+};
+
+class SceneWalk {
+public:
+    SceneWalk(const GltfDocument& document, Mesh& mesh) : document_(document), source_(document.source()), mesh_(mesh) {}
+
+    Result<std::vector<GltfDraw>> walk() {
+        if (auto error = visitScene()) return *error;
+        if (auto error = checkTotal()) return *error;
+        return std::move(draws_);
+    }
+
+private:
+    std::optional<Error> visitScene() {
+        const GltfValue root = document_.root();
+        const glm::dmat4 unit = glm::dmat4(glm::dmat3(source_.unitMm));
+        std::vector<Visit> stack;
+        if (const std::size_t scenes = root["scenes"].size(); scenes > 0) {
+            const auto scene = root.whole("scene", scenes, 0);
+            if (!scene) return scene.error();
+            if (auto error = pushAll(root["scenes"][*scene]["nodes"], unit, stack)) return error;
+        } else {
+            for (const std::size_t node : rootNodes())
+                stack.push_back({.node = node, .parent = unit});
+        }
+        while (!stack.empty()) {
+            const Visit visit = stack.back();
+            stack.pop_back();
+            if (auto error = visitNode(visit, stack)) return error;
+        }
+        if (!anyNodeDraws() && root["meshes"].size() > 0) drawWithoutNodes(unit);
+        return std::nullopt;
+    }
+
+    [[nodiscard]] bool anyNodeDraws() const {
+        const GltfValue nodes = document_.root()["nodes"];
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (nodes[i].has("mesh")) return true;
+        return false;
+    }
+
+    /// A library of meshes: the specification lets them stand without a node, and nothing says where.
+    void drawWithoutNodes(const glm::dmat4& unit) {
+        const std::size_t count = document_.root()["meshes"].size();
+        warn(mesh_, 5323, source_.whole(),
+             fmt::format("no node of the scene refers to the file's {} meshes: all are read, where they are", count));
+        for (std::size_t i = 0; i < count; ++i)
+            draws_.push_back({.mesh = i, .nodeName = {}, .carrier = GltfCarrier(unit)});
+    }
+
+    /// In reverse, so that the stack gives them back in the file's order.
+    std::optional<Error> pushAll(const GltfValue& list, const glm::dmat4& parent, std::vector<Visit>& stack) const {
+        for (std::size_t i = list.size(); i-- > 0;) {
+            const auto node = list[i].whole(document_.root()["nodes"].size());
+            if (!node) return node.error();
+            stack.push_back({.node = *node, .parent = parent});
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::vector<std::size_t> rootNodes() const {
+        const GltfValue nodes = document_.root()["nodes"];
+        std::set<std::size_t> children;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const GltfValue list = nodes[i]["children"];
+            for (std::size_t k = 0; k < list.size(); ++k)
+                if (const auto child = list[k].whole(nodes.size())) children.insert(*child);
+        }
+        std::vector<std::size_t> roots;
+        for (std::size_t i = nodes.size(); i-- > 0;)
+            if (!children.contains(i)) roots.push_back(i);
+        return roots;
+    }
+
+    std::optional<Error> visitNode(const Visit& visit, std::vector<Visit>& stack) {
+        const GltfValue node = document_.root()["nodes"][visit.node];
+        if (!visited_.insert(visit.node).second) return node.wrong("is reached twice: nodes must form trees");
+        const auto local = localTransform(node);
+        if (!local) return local.error();
+        const glm::dmat4 world = visit.parent * *local;
+        if (auto error = pushAll(node["children"], world, stack)) return error;
+        if (!node.has("mesh")) return std::nullopt;
+        const GltfValue meshes = document_.root()["meshes"];
+        const auto index = node.whole("mesh", meshes.size(), {});
+        if (!index) return index.error();
+        if (node.has("skin") && !source_.carryMaterials)
+            warn(mesh_, 5323, source_.whole(), node.path() + ": its skin is ignored, the mesh is read as it was modelled");
+        if (node["extensions"].has("EXT_mesh_gpu_instancing"))
+            return drawInstances(node, node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"], *index, world);
+        draws_.push_back({.mesh = *index, .nodeName = node.text("name"), .carrier = GltfCarrier(world)});
+        return std::nullopt;
+    }
+
+    /// EXT_mesh_gpu_instancing: a place, a turn and a size for each instance; what is absent is as in a node.
+    std::optional<Error> drawInstances(const GltfValue& node, const GltfValue& attributes, std::size_t mesh, const glm::dmat4& world) {
+        const std::array<std::pair<const char*, std::size_t>, 3> kNames = {{{"TRANSLATION", 3}, {"ROTATION", 4}, {"SCALE", 3}}};
+        std::array<std::vector<float>, 3> values;
+        std::size_t count = SIZE_MAX;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!attributes.has(kNames[i].first)) continue;
+            const auto accessor = attributes.whole(kNames[i].first, SIZE_MAX, {});
+            if (!accessor) return accessor.error();
+            auto read = document_.floats(*accessor, kNames[i].second);
+            if (!read) return read.error();
+            values[i] = std::move(*read);
+            count = std::min(count, values[i].size() / kNames[i].second);
+        }
+        if (count == SIZE_MAX) return attributes.wrong("has none of TRANSLATION, ROTATION and SCALE");
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto at = [&](std::size_t which, std::size_t c, double absent) {
+                return values[which].empty() ? absent : static_cast<double>(values[which][i * kNames[which].second + c]);
+            };
+            const glm::dquat turn(at(1, 3, 1), at(1, 0, 0), at(1, 1, 0), at(1, 2, 0));
+            glm::dmat4 local = glm::length(turn) > 0 ? glm::mat4_cast(glm::normalize(turn)) : glm::dmat4(1);
+            for (glm::length_t c = 0; c < 3; ++c)
+                local[c] *= at(2, static_cast<std::size_t>(c), 1);
+            local[3] = glm::dvec4(at(0, 0, 0), at(0, 1, 0), at(0, 2, 0), 1);
+            draws_.push_back({.mesh = mesh, .nodeName = node.text("name"), .carrier = GltfCarrier(world * local)});
+        }
+        return std::nullopt;
+    }
+
+    /// Held against the limit before memory is taken: a small file can draw one primitive by many nodes.
+    [[nodiscard]] std::optional<Error> checkTotal() const {
+        const GltfValue meshes = document_.root()["meshes"];
+        const GltfValue accessors = document_.root()["accessors"];
+        std::size_t total = 0;
+        for (const GltfDraw& draw : draws_) {
+            const GltfValue primitives = meshes[draw.mesh]["primitives"];
+            std::set<std::size_t> counted;
+            for (std::size_t i = 0; i < primitives.size(); ++i) {
+                const auto accessor = primitives[i]["attributes"].whole("POSITION", accessors.size(), SIZE_MAX);
+                if (!accessor || *accessor == SIZE_MAX || !counted.insert(*accessor).second) continue; // errors are found when it is read
+                const auto count = accessors[*accessor].whole("count", kMaxVertices, 0);
+                total += count ? *count : 0;
+            }
+            if (total > kMaxVertices) return tooLarge(source_.whole());
+        }
+        return std::nullopt;
+    }
+
+    static Result<glm::dmat4> localTransform(const GltfValue& node) {
+        glm::dmat4 matrix(1);
+        if (node.has("matrix")) {
+            const auto m = node.numbers("matrix", 16, {});
+            if (!m) return m.error();
+            for (glm::length_t i = 0; i < 16; ++i)
+                matrix[i / 4][i % 4] = (*m)[static_cast<std::size_t>(i)];
+            return matrix;
+        }
+        const auto t = node.numbers("translation", 3, {0, 0, 0});
+        const auto r = node.numbers("rotation", 4, {0, 0, 0, 1});
+        const auto s = node.numbers("scale", 3, {1, 1, 1});
+        if (!t) return t.error();
+        if (!r) return r.error();
+        if (!s) return s.error();
+        const glm::dquat rotation((*r)[3], (*r)[0], (*r)[1], (*r)[2]);
+        if (rotation != glm::dquat(1, 0, 0, 0)) {
+            if (!(glm::length(rotation) > 0)) return node.wrong("has a rotation of length 0");
+            matrix = glm::mat4_cast(glm::normalize(rotation));
+        }
+        for (glm::length_t i = 0; i < 3; ++i)
+            matrix[i] *= (*s)[static_cast<std::size_t>(i)];
+        matrix[3] = glm::dvec4((*t)[0], (*t)[1], (*t)[2], 1);
+        return matrix;
+    }
+
+    const GltfDocument& document_;
+    const Source& source_;
+    Mesh& mesh_;
+    std::vector<GltfDraw> draws_;
+    std::set<std::size_t> visited_;
+};
+
+/// The meshes of the default scene's nodes, one entry for each node or instance that draws one. TG5302 where nodes are no trees, TG5310
+/// where they draw more than a mesh may hold. Skins that are ignored are warnings, unless materials are carried.
+Result<std::vector<GltfDraw>> drawsOf(const GltfDocument& document, Mesh& mesh) {
+    return SceneWalk(document, mesh).walk();
+}
+
+class Losses {
+public:
+    Losses(const GltfDocument& document, Mesh& mesh) : root_(document.root()), mesh_(mesh) {}
+
+    void tell(std::size_t count, std::string_view what, std::string hint = {}) {
+        if (count > 0) warn(mesh_, 5331, root_.source().whole(), fmt::format("{} {}", count, what), std::move(hint));
+    }
+
+    void ofMeshes(const std::vector<std::size_t>& meshes) {
+        const std::set<std::size_t> used(meshes.begin(), meshes.end());
+        std::size_t targets = 0;
+        std::size_t weighted = 0;
+        std::size_t variants = 0;
+        for (const std::size_t index : used) {
+            const GltfValue primitives = root_["meshes"][index]["primitives"];
+            for (std::size_t i = 0; i < primitives.size(); ++i) {
+                targets += primitives[i]["targets"].size();
+                weighted += primitives[i]["attributes"].has("JOINTS_0");
+                variants += primitives[i]["extensions"].has("KHR_materials_variants");
+            }
+        }
+        tell(targets, "morph targets are left out: the mesh is as it was modelled", "export the shape that is wanted");
+        tell(weighted, "primitives lose the joints and weights of their skin: the mesh is as it was modelled",
+             "export the pose that is wanted");
+        tell(variants, "primitives lose their other materials (KHR_materials_variants)");
+        tell(meshes.size() - used.size(), "copies of meshes that several nodes or instances draw become triangles of their own");
+    }
+
+    void ofScene() {
+        tell(root_["animations"].size(), "animations are left out");
+        tell(root_["cameras"].size(), "cameras are left out");
+        tell(root_["extensions"]["KHR_lights_punctual"]["lights"].size(), "lights are left out");
+        if (root_["scenes"].size() > 1) tell(root_["scenes"].size() - 1, "scenes besides the default one are left out");
+    }
+
+private:
+    GltfValue root_;
+    Mesh& mesh_;
+};
+
+/// One warning (TG5331) for each kind of thing that goes: morph targets, skins, animations, copies that were drawn by one mesh ...
+/// `meshes`: the mesh of each draw.
+void warnOfLosses(const GltfDocument& document, const std::vector<std::size_t>& meshes, Mesh& mesh) {
+    Losses losses(document, mesh);
+    losses.ofMeshes(meshes);
+    losses.ofScene();
+}
+
+/// Collects the textures of the materials that are drawn, one per role: "color" (baseColorTexture), "normal" (normalTexture), and whatever
+/// the material's `extras.tegumentTextures` names as {"role": texture index}.
+class GltfTextures {
+public:
+    explicit GltfTextures(const GltfDocument& document) : document_(document) {}
+    [[nodiscard]] std::optional<Error> add(const GltfValue& material, Mesh& mesh);
+
+private:
+    [[nodiscard]] std::optional<Error> addTexture(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh);
+
+    const GltfDocument& document_;
+    std::map<std::string, std::size_t> imageOfRole_;
+};
+
+/// How messages name a picture.
+std::string nameOf(const GltfDocument& document, std::size_t image) {
+    const GltfValue images = document.root()["images"];
+    const std::string uri = image < images.size() ? images[image].text("uri") : "";
+    return uri.empty() || uri.starts_with("data:") ? fmt::format("images[{}]", image) : fmt::format("'{}'", uri.substr(0, 80));
+}
+
+Result<std::string> pictureBytes(const GltfDocument& document, std::size_t image) {
+    const GltfValue images = document.root()["images"];
+    if (image >= images.size()) return malformed(images.source().whole(), fmt::format("images[{}] does not exist", image));
+    const GltfValue value = images[image];
+    if (!value.has("bufferView")) return document.resolveUri(value, value.text("uri"));
+    const auto index = value.whole("bufferView", SIZE_MAX, {});
+    if (!index) return index.error();
+    const auto bytes = document.view(*index);
+    if (!bytes) return bytes.error();
+    return std::string(*bytes);
+}
+
+constexpr const char* kExportAgain = "put the pictures where the file says, or export it again";
+
+/// A texture names its picture itself, and in extensions the same in other forms.
+void renumber(Json& texture, const std::map<std::size_t, std::size_t>& number) {
+    if (!texture.is_object()) return;
+    if (texture.contains("source")) {
+        const auto known = texture["source"].is_number_unsigned() ? number.find(texture["source"].get<std::size_t>()) : number.end();
+        if (known != number.end())
+            texture["source"] = known->second;
+        else
+            texture.erase("source");
+    }
+    if (!texture.contains("extensions") || !texture["extensions"].is_object()) return;
+    Json kept = Json::object();
+    for (auto& [name, extension] : texture["extensions"].items()) {
+        renumber(extension, number);
+        if (extension.is_object() && extension.contains("source")) kept[name] = extension;
+    }
+    texture.erase("extensions");
+    if (!kept.empty()) texture["extensions"] = std::move(kept);
+}
+
+std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
+    const auto addReference = [&](const std::string& role, const GltfValue& reference) -> std::optional<Error> {
+        const auto index = reference.whole("index", SIZE_MAX, {});
+        if (!index) return index.error();
+        // One set of coordinates is drawn with: the colour map's (read_gltf.cpp).
+        const Json& base = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"].json();
+        if (reference["extensions"]["KHR_texture_transform"].json() != base)
+            warn(mesh, 5323, document_.source().whole(),
+                 reference.path() + ": its KHR_texture_transform is not the colour map's, and is ignored");
+        return addTexture(role, *index, reference, mesh);
+    };
+    const GltfValue surface = material["pbrMetallicRoughness"];
+    if (surface.has("baseColorTexture"))
+        if (auto error = addReference("color", surface["baseColorTexture"])) return error;
+    if (material.has("normalTexture"))
+        if (auto error = addReference("normal", material["normalTexture"])) return error;
+    const GltfValue own = material["extras"]["tegumentTextures"];
+    if (!own.json().is_object()) return std::nullopt;
+    for (const auto& [role, texture] : own.json().items()) {
+        const auto index = own.whole(role.c_str(), SIZE_MAX, {});
+        if (!index) return index.error();
+        if (auto error = addTexture(role, *index, own, mesh)) return error;
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh) {
+    const GltfValue textures = document_.root()["textures"];
+    if (texture >= textures.size()) return from.wrong(fmt::format("names texture {} of {}", texture, textures.size()));
+    const auto image = textures[texture].whole("source", SIZE_MAX, {});
+    if (!image) { // an extension names it, in a form that is not read
+        warn(mesh, 5328, document_.source().whole(), fmt::format("the '{}' texture is left out: it is no PNG or JPEG file", role),
+             "export the textures as PNG or JPEG");
+        return std::nullopt;
+    }
+    const auto [known, isNew] = imageOfRole_.emplace(role, *image);
+    if (!isNew) {
+        if (known->second != *image)
+            warn(mesh, 5326, document_.source().whole(),
+                 fmt::format("{}: a second '{}' texture is ignored: one mesh carries one of each role", from.path(), role),
+                 "name the texture in the workspace, or split the mesh");
+        return std::nullopt;
+    }
+    const auto bytes = pictureBytes(document_, *image);
+    const int code = bytes ? 0 : bytes.error().diagnostics.front().code;
+    if (!bytes && code != 5001 && code != kOutside) return bytes.error(); // the glTF itself is wrong
+    const std::string name = fmt::format("{}#images[{}]", from.source().name(), *image);
+    auto loaded = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), name) : Result<Image>(bytes.error());
+    if (!loaded) {
+        warn(
+            mesh, 5328, document_.source().whole(),
+            fmt::format("the '{}' texture {} cannot be read: {}", role, nameOf(document_, *image), loaded.error().diagnostics.front().text),
+            hintFor(loaded.error(), "put the pictures where the file says, or give one: --set gSkinMap=FILE"));
+        return std::nullopt;
+    }
+    mesh.textures.push_back({.role = role, .image = std::move(*loaded)});
+    return std::nullopt;
+}
+
+/// All materials as they are, with the files of their pictures. A picture that is not there or is none is left out: TG5328, a warning.
+MaterialSet carriedMaterials(const GltfDocument& document, Mesh& mesh) {
+    const GltfValue root = document.root();
+    MaterialSet set;
+    if (root["materials"].size() == 0) return set;
+    Json json = Json::object();
+    for (const char* list : {"materials", "samplers", "textures"})
+        if (root[list].size() > 0) json[list] = root[list].json();
+    std::map<std::size_t, std::size_t> number; // of a picture, among those that are kept
+    for (std::size_t i = 0; i < root["images"].size(); ++i) {
+        auto bytes = pictureBytes(document, i);
+        const std::string_view type = bytes ? pictureType(*bytes) : "";
+        if (type.empty()) {
+            warn(mesh, 5328, root.source().whole(),
+                 fmt::format("{} is left out: {}", nameOf(document, i),
+                             bytes ? "no whole PNG, JPEG, WebP, KTX2 or DDS file" : bytes.error().diagnostics.front().text),
+                 bytes ? kExportAgain : hintFor(bytes.error(), kExportAgain));
+            continue;
+        }
+        number[i] = set.images.size();
+        Json image = {{"mimeType", type}};
+        if (const std::string name = root["images"][i].text("name"); !name.empty()) image["name"] = name;
+        json["images"].push_back(std::move(image));
+        set.images.push_back(std::move(*bytes));
+    }
+    if (json.contains("textures") && json["textures"].is_array())
+        for (Json& texture : json["textures"])
+            renumber(texture, number);
+    set.json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return set;
+}
 
 /// The vertices of one primitive before they are carried.
 struct Attributes {

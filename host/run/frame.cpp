@@ -1,11 +1,11 @@
 #include "host/run/frame.h"
 
-#include "host/run/constants.h"
 #include "host/run/describe.h"
 #include "host/run/groups.h"
 #include "host/run/parts.h"
 #include "host/run/pass_request.h"
-#include "host/run/pause.h"
+#include "host/run/pieces.h"
+#include "host/run/values.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>

@@ -115,6 +115,8 @@ Result<void> drawItems(PieceWork& work, std::size_t items) {
     return asVoidOf(work.run([&](gpu::Recorder& recorder) { return recordWaiting(work, recorder); }));
 }
 
+constexpr int kGivenUp = 0; // no diagnostic has it
+
 } // namespace
 
 std::vector<gpu::RowRange> bandsOf(std::uint32_t height, std::uint32_t bands) {
@@ -134,6 +136,19 @@ Result<PiecesDrawn> drawInPieces(gpu::Device& device, const Frame& frame, std::s
     if (!resolved) return resolved.error();
     work.drawn.sections.push_back(resolved->back());
     return std::move(work.drawn);
+}
+
+Error givenUp() {
+    return inputError(kGivenUp, {}, "given up");
+}
+
+bool isGivenUp(const Error& error) {
+    return error.diagnostics.size() == 1 && error.diagnostics.front().code == kGivenUp;
+}
+
+Result<void> pauseAfter(const RunOptions& options) {
+    if (!options.pieces.goOn || options.pieces.goOn()) return {};
+    return givenUp();
 }
 
 } // namespace tegument::run

@@ -1,8 +1,10 @@
 #pragma once
 // A frame drawn piece by piece, so that whoever waits for it can stop it between two (RunOptions::pieces).
+// Between two things that a frame needs made: may whoever waits be kept waiting? What was made is found by the next call.
 
 #include "host/run/frame.h"
 #include "host/run/run_options.h"
+#include "host/support/result.h"
 
 namespace tegument::run {
 
@@ -20,5 +22,12 @@ struct PiecesDrawn {
 /// Rows of a target of that height, in at most so many bands: each begins at a multiple of 64, which is how software devices tile, and
 /// pixels whose derivatives are taken together stay together.
 [[nodiscard]] std::vector<gpu::RowRange> bandsOf(std::uint32_t height, std::uint32_t bands);
+
+/// No message, and nobody sees it: it says that RunOptions::pieces gave the frame up before it was drawn.
+[[nodiscard]] Error givenUp();
+[[nodiscard]] bool isGivenUp(const Error& error);
+
+/// To be called once something was made. An error: givenUp().
+[[nodiscard]] Result<void> pauseAfter(const RunOptions& options);
 
 } // namespace tegument::run

@@ -1,7 +1,7 @@
 #include "host/run/prepare.h"
 
 #include "host/run/geometry.h"
-#include "host/run/pause.h"
+#include "host/run/pieces.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -215,6 +215,19 @@ void warnUneven(const RunInput& input, Prepared& prepared) {
                                  .sourceLine = {}});
 }
 
+/// Techniques that are gone leave their names to those that draw in their place.
+void warnOfFormerName(const RunInput& input, Prepared& prepared) {
+    const std::string& asked = input.options.technique;
+    const Technique* drawn = asked.empty() ? nullptr : input.effect.findTechnique(asked);
+    if (drawn == nullptr || equalsIgnoreCase(drawn->name, asked)) return;
+    prepared.warnings.push_back({.severity = Severity::Warning,
+                                 .code = 4082,
+                                 .at = drawn->at,
+                                 .text = fmt::format("technique {} is gone: {} is drawn", asked, drawn->name),
+                                 .hint = {},
+                                 .sourceLine = {}});
+}
+
 void gatherReads(Prepared& prepared) {
     prepared.reads = prepared.plan.read;
     for (const auto& [pass, program] : prepared.programs) {
@@ -248,6 +261,7 @@ Result<Prepared> prepare(const RunInput& input) {
                                .workspaceFile = input.workspace.file.string(),
                                .scene = &prepared.scene};
     warnUneven(input, prepared);
+    warnOfFormerName(input, prepared);
     auto values = Values::resolve(input.effect, sources, prepared.warnings);
     if (!values) return values.error();
     prepared.values = std::move(*values);

@@ -1,7 +1,7 @@
 #include "host/run/resources.h"
 
 #include "host/image/mips.h"
-#include "host/run/pause.h"
+#include "host/run/pieces.h"
 #include "host/run/pixels.h"
 #include "host/spirv/reflect.h"
 #include "host/support/text.h"
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace tegument::run {
 
@@ -170,6 +169,25 @@ Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resou
     return pauseAfter(input.options);
 }
 
+bool equalCode(const Shader& a, const Shader& b) {
+    return a.entry == b.entry && a.spirv == b.spirv;
+}
+
+bool equalCode(const std::optional<Shader>& a, const std::optional<Shader>& b) {
+    return a.has_value() == b.has_value() && (!a || equalCode(*a, *b));
+}
+
+/// Attributes and bindings follow from the code, but for bindings that a measurement adds.
+bool equalPrograms(const PassProgram& a, const PassProgram& b) {
+    return equalCode(a.vertex, b.vertex) && equalCode(a.pixel, b.pixel) && equalCode(a.compute, b.compute) &&
+           a.bindings.size() == b.bindings.size() && a.attributes.size() == b.attributes.size();
+}
+
+bool equalSources(const PipelineSource& a, const PipelineSource& b) {
+    return a.samples == b.samples && a.depth == b.depth && a.formats == b.formats && a.state == b.state &&
+           equalPrograms(*a.program, *b.program);
+}
+
 } // namespace
 
 gpu::Texture* Resources::texture(const Prepared& prepared, const std::string& name) {
@@ -191,6 +209,28 @@ Result<void> allocate(const RunInput& input, const Prepared& prepared, Resources
     for (const auto step : {allocateTargets, uploadTextures, createSamplers, uploadMeshes})
         if (const auto done = step(input, prepared, resources); !done) return done;
     return {};
+}
+
+std::shared_ptr<const gpu::Pipeline> SharedPipelines::find(const PipelineSource& source) const {
+    for (const auto& entry : pipelines_)
+        if (auto pipeline = entry.thing.lock(); pipeline && equalSources(entry.source, source)) return pipeline;
+    return nullptr;
+}
+
+void SharedPipelines::add(PipelineSource source, const std::shared_ptr<const gpu::Pipeline>& pipeline) {
+    std::erase_if(pipelines_, [](const auto& entry) { return entry.thing.expired(); });
+    pipelines_.push_back({std::move(source), pipeline});
+}
+
+std::shared_ptr<const gpu::Sampler> SharedPipelines::find(const SamplerState& state) const {
+    for (const auto& entry : samplers_)
+        if (auto sampler = entry.thing.lock(); sampler && entry.source == state) return sampler;
+    return nullptr;
+}
+
+void SharedPipelines::add(const SamplerState& state, const std::shared_ptr<const gpu::Sampler>& sampler) {
+    std::erase_if(samplers_, [](const auto& entry) { return entry.thing.expired(); });
+    samplers_.push_back({state, sampler});
 }
 
 } // namespace tegument::run

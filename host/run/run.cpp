@@ -1,7 +1,7 @@
 #include "host/run/run.h"
 
+#include "host/run/pixels.h"
 #include "host/run/plan.h"
-#include "host/run/read_back.h"
 #include "host/run/session.h"
 #include "host/run/target_desc.h"
 

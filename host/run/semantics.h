@@ -1,8 +1,10 @@
 #pragma once
 // Values that the host binds to parameters by semantic (docs/conventions.md, "What the host binds").
+// Where a session's scene is, and its camera and light in the world. Needs no GPU.
 
 #include "host/effect/model.h"
 #include "host/mesh/mesh.h"
+#include "host/run/run_options.h"
 #include "host/run/target_desc.h"
 #include "host/scene/view.h"
 #include "host/scene/workspace.h"
@@ -50,5 +52,12 @@ struct PlacedObject {
 
 /// Every semantic that numbers can have, for hints.
 [[nodiscard]] const std::vector<std::string>& numericSemantics();
+
+/// Of the mesh, or of all objects where they stand, in mm; without either the unit sphere, as semantics have it.
+[[nodiscard]] Bounds boundsOf(const SessionScene& scene);
+
+/// The workspace with camera and light in world millimetres, whatever their frames were: they can be moved on. Planes that were fitted stay
+/// to be fitted.
+[[nodiscard]] Workspace inWorld(const Workspace& workspace, const SessionScene& scene);
 
 } // namespace tegument::run

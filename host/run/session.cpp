@@ -2,7 +2,7 @@
 
 #include "host/run/ahead.h"
 #include "host/run/describe.h"
-#include "host/run/pause.h"
+#include "host/run/pieces.h"
 #include "host/run/stage.h"
 #include "host/support/text.h"
 

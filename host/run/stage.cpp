@@ -1,6 +1,5 @@
 #include "host/run/stage.h"
 
-#include "host/run/pause.h"
 #include "host/run/pieces.h"
 
 #include <chrono>

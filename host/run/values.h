@@ -1,11 +1,15 @@
 #pragma once
 // The numbers that the effect's parameters have: --set, then the workspace, then semantics, then the effect's defaults.
+// Lays parameter values out in a uniform block as the SPIR-V's reflection says.
 
 #include "host/effect/model.h"
 #include "host/run/semantics.h"
+#include "host/spirv/compile.h"
 #include "host/support/result.h"
 
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,5 +47,10 @@ private:
     std::map<std::string, bool> fixed_;
     std::map<std::string, Error> failed_; // semantics that do not fit; reported when the parameter is used
 };
+
+/// Writes `value` (row order) at the member's offsets. Matrices: HLSL's column_major shows as RowMajor in the SPIR-V, its element (row,
+/// column) lies at column * stride + 4 * row: the transpose of the row-vector matrix, as in a Direct3D 11 constant buffer. TG4019 when the
+/// member and the parameter differ in shape.
+[[nodiscard]] Result<void> pack(const BlockMember& member, const Parameter& parameter, const Numbers& value, std::span<std::byte> block);
 
 } // namespace tegument::run

@@ -1,7 +1,7 @@
 #pragma once
 // Speed against error: techniques on scenes, timed by the device and held against brute force (docs/bench.md).
 
-#include "lab/bench/kept_light.h"
+#include "lab/bench/light_set.h"
 #include "lab/bench/measure.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "lab/bench/measure.h"
 
 #include "host/image/compare.h"
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "lab/bench/motion.h"
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "lab/bench/textures.h"
 

@@ -2,7 +2,7 @@
 // What the pixels of a scene should show: skin that the camera sees, and its light by brute force (lab/reference/bssrdf.h).
 
 #include "lab/bench/catalogue.h"
-#include "lab/bench/kept_light.h"
+#include "lab/bench/light_set.h"
 #include "lab/bench/scenes.h"
 #include "lab/reference/bssrdf.h"
 

@@ -1,6 +1,6 @@
 #include "lab/invariance/painter.h"
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 
 namespace tegument::invariance {
 

@@ -1,7 +1,7 @@
 // The tables of docs/design/skin-error.md: diffusion profiles against simulated skin.
 //   model_error [--photons N] [--seed N]
 
-#include "lab/reference/skin_profiles.h"
+#include "lab/reference/profile.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

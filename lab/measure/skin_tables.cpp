@@ -51,13 +51,11 @@ Effect load(const std::string& file, const Way& way, int mapSize) {
                                   .includeFolders = {}}));
 }
 
-/// Culled: by the prepasses as printed, or in setting corrected by the technique that keeps the picture.
 RunResult draw(const Stage& stage, const Way& way, const Settings& settings, int mapSize, std::vector<std::string> dump = {}) {
     RunOptions options{.technique = way.technique, .width = settings.size, .height = settings.size, .frames = settings.frames};
     options.warmUpFrames = settings.frames > 1 ? 2 : 0;
     options.dump = std::move(dump);
-    if (way.cull && way.setting == 2) options.technique += "Culled";
-    if (way.cull && way.setting != 2) options.parameters["gUsePrePass"] = {1};
+    if (way.cull) options.parameters["gUsePrePass"] = {1};
     return need(runEffect(stage.device, load("effects/Main.fx", way, mapSize), &stage.mesh, stage.workspace, options));
 }
 
@@ -149,7 +147,7 @@ void cullingTable(gpu::Device& device, const Settings& settings) {
                 };
                 fmt::print("| {} | {} | {} | {:.1f} % | {} | {} | {:.3f} | {} | {} | {} |\n", fs::path(file).stem().string(), technique,
                            kSettingNames.at(static_cast<std::size_t>(setting)), 100 * processed(culled, whole), pair({"Irradiance"}),
-                           pair({"Convolution", "Blur", "Poisson"}), total(culled, {"PrePass", "Cull"}), pair({}),
+                           pair({"Convolution", "Blur", "Poisson"}), total(culled, {"PrePass"}), pair({}),
                            error.largest == 0 ? "0" : fmt::format("{:.2f} %", 100 * error.relative),
                            error.largest == 0 ? "0, every bit equal" : fmt::format("{:.1f} % of the mean", 100 * error.largest));
                 std::fflush(stdout);

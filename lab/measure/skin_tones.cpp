@@ -4,7 +4,7 @@
 
 #include "lab/bench/shapes.h"
 #include "lab/reference/bssrdf.h"
-#include "lab/reference/skin_profiles.h"
+#include "lab/reference/profile.h"
 #include "lab/reference/skin_tone.h"
 
 #include <CLI/CLI.hpp>

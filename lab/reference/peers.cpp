@@ -1,6 +1,6 @@
 #include "lab/reference/peers.h"
 
-#include "lab/reference/quadrature.h"
+#include "lab/reference/radial.h"
 
 #include <algorithm>
 #include <cassert>

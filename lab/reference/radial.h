@@ -1,9 +1,12 @@
 #pragma once
 // Diffusion profiles as functions of the distance: what leaves per mm^2 at that distance from where unit light entered.
+// Gauss-Legendre quadrature.
 
 #include "lab/reference/profile.h"
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace tegument::reference {
 
@@ -24,5 +27,16 @@ struct RadialProfile {
 [[nodiscard]] glm::dvec3 burleyWithin(const glm::dvec3& d, double distance);
 /// Light on x > 0 of a plane, seen at x.
 [[nodiscard]] glm::dvec3 burleyHalfPlane(const glm::dvec3& d, double x);
+
+struct Node {
+    double x = 0;
+    double weight = 0;
+};
+
+/// Nodes on [-1, 1], in rising order; exact for polynomials of degree 2 count - 1.
+[[nodiscard]] std::vector<Node> gaussLegendre(std::size_t count);
+
+/// The same on [from, to].
+[[nodiscard]] std::vector<Node> gaussLegendre(std::size_t count, double from, double to);
 
 } // namespace tegument::reference

@@ -1,7 +1,7 @@
 #include "lab/reference/skin_tone.h"
 
 #include "host/support/parallel.h"
-#include "lab/reference/skin_profiles.h"
+#include "lab/reference/profile.h"
 
 #include <algorithm>
 #include <cmath>

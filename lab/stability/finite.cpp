@@ -2,7 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/run/parts.h"
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/support/temporary.h"
 #include "lab/stability/work.h"
 #include "meshprep/fur/ribbons/ribbons.h"

@@ -56,7 +56,6 @@ constexpr Subject kSubjects[] = {
     {"Main.fx", "DEonLuebke", kSettingCorrected},
     {"Main.fx", "Gosselin", kSettingSeed},
     {"Main.fx", "Gosselin", kSettingCorrected},
-    {"Main.fx", "DEonLuebkeCulled", kSettingCorrected},
     {"Fur.fx", "CubeCombined", kSettingCorrected},
 };
 

@@ -2,7 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
-#include "meshprep/fur/roots/surface_figures.h"
+#include "meshprep/fur/roots/fur_surface.h"
 #include "meshprep/skin/link_cells.h"
 
 #include <fmt/format.h>

@@ -1,26 +1,60 @@
 #include "meshprep/assets/generators.h"
 
-#include "meshprep/assets/cached_light.h"
+#include "host/image/dds.h"
+#include "host/mesh/mesh.h"
+#include "host/support/file.h"
 #include "meshprep/assets/cached_links.h"
 #include "meshprep/assets/strand_passes.h"
-
-#include "host/image/dds.h"
-#include "host/support/file.h"
 #include "meshprep/fur/cube_texture.h"
 #include "meshprep/fur/fur_map.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/fur/roots/head_hair.h"
 #include "meshprep/fur/roots/root_texture.h"
+#include "meshprep/light/environment.h"
+#include "meshprep/light/occlusion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace tegument::assets {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What the annotation Generator calls them.
+inline constexpr const char* kStudioGenerator = "studio";
+inline constexpr const char* kSkyGenerator = "sky";
+inline constexpr const char* kOcclusionGenerator = "occlusion";
+
+/// Part of the name in the cache: a change of what is made takes another number.
+constexpr int kEnvironmentVersion = 1;
+
+namespace fs = std::filesystem;
+
+/// A default environment, by one of the first two names: a file in the cache, made where it is not there. `say` is told.
+Result<fs::path> cachedEnvironment(const std::string& generator, const Say& say) {
+    const auto kind = generator == kSkyGenerator ? DefaultEnvironment::Sky : DefaultEnvironment::Studio;
+    const auto make = [&](const fs::path& file) -> Result<void> {
+        const auto texture = makeEnvironment(defaultEnvironment(kind), generator);
+        if (!texture) return texture.error();
+        return writeDds(file, *texture);
+    };
+    return cachedDds("light", fmt::format("{}_{}", generator, kEnvironmentVersion), "the " + generator, say, make);
+}
+
+/// The mesh's own, by its shape and texture coordinates.
+Result<fs::path> cachedOcclusion(const Mesh& mesh, const Say& say) {
+    const CacheKey key = CacheKey(kOcclusionVersion).add(mesh.positions).add(mesh.normals).add(mesh.uvs).add(mesh.indices);
+    const auto make = [&](const fs::path& file) -> Result<void> {
+        const auto occlusion = bakeOcclusion(mesh);
+        if (!occlusion) return occlusion.error();
+        return writeDds(file, makeDds(occlusion->map, DdsFormat::Rgba16F, false));
+    };
+    return cachedDds("light", "occlusion_" + key.text(), "occlusion for " + mesh.name, say, make);
+}
 
 constexpr const char* kCubeMap = "fur cube map";
 constexpr const char* kSphereMap = "fur sphere map";

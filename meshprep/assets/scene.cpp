@@ -1,6 +1,6 @@
 #include "meshprep/assets/scene.h"
 
-#include "host/run/scene_bounds.h"
+#include "host/run/semantics.h"
 #include "host/support/text.h"
 #include "meshprep/assets/strands.h"
 

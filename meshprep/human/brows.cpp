@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace tegument {
 
@@ -111,6 +110,16 @@ void growLashes(const std::vector<glm::vec2>& line, const LashRow& row, float si
     }
 }
 
+float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
+    const glm::vec2 along = b - a;
+    const float t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0f, 1.0f);
+    return glm::distance(p, a + along * t);
+}
+
+float distanceTo(const HairStroke& hair, const glm::vec2& p) {
+    return std::min(distanceToSegment(p, hair.root, hair.middle), distanceToSegment(p, hair.middle, hair.tip));
+}
+
 } // namespace
 
 Brows::Brows(const std::array<Eyeball, 2>& eyes, std::uint32_t seed)
@@ -141,6 +150,41 @@ float Lashes::coverage(const glm::vec3& position, float texelMm) const {
     const glm::vec3 from = position - eyes_[e].centre;
     if (from.z <= 0 || glm::length(from) > eyes_[e].radius + kThickest) return 0;
     return lashes_[e].coverage(eyeChart(eyes_[e], position), texelMm);
+}
+
+void HairStrokes::add(const HairStroke& hair) {
+    hairs_.push_back(hair);
+    for (const glm::vec2& p : {hair.root, hair.middle, hair.tip}) {
+        low_ = glm::min(low_, p);
+        high_ = glm::max(high_, p);
+    }
+}
+
+bool HairStrokes::outside(const glm::vec2& p, float reach) const {
+    return glm::any(glm::lessThan(p, low_ - reach)) || glm::any(glm::greaterThan(p, high_ + reach));
+}
+
+float HairStrokes::coverage(const glm::vec2& p, float texelMm) const {
+    constexpr float kWidest = 1; // mm, hair and texel
+    if (outside(p, kWidest)) return 0;
+    float bare = 1;
+    for (const HairStroke& hair : hairs_) {
+        const float distance = distanceTo(hair, p);
+        if (distance > hair.width + texelMm) continue;
+        const float toTip = std::clamp(glm::distance(p, hair.root) / glm::distance(hair.tip, hair.root), 0.0f, 1.0f);
+        const float half = hair.width * (1 - 0.7f * toTip) / 2;
+        const float covered = std::min(distance + texelMm / 2, half) - std::max(distance - texelMm / 2, -half);
+        bare *= 1 - hair.opacity * std::clamp(covered / texelMm, 0.0f, 1.0f);
+    }
+    return 1 - bare;
+}
+
+float HairStrokes::distance(const glm::vec2& p, float most) const {
+    if (outside(p, most)) return most;
+    float nearest = most;
+    for (const HairStroke& hair : hairs_)
+        nearest = std::min(nearest, distanceTo(hair, p));
+    return nearest;
 }
 
 } // namespace tegument

@@ -1,6 +1,6 @@
 #include "meshprep/human/bust.h"
 
-#include "meshprep/human/charts.h"
+#include "meshprep/human/atlas.h"
 
 #include <algorithm>
 #include <cmath>

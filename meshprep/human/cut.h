@@ -1,7 +1,9 @@
 #pragma once
 // Triangles with corners in two index spaces, and a level cut through them.
+// Shortest ways along the edges of a mesh (E. W. Dijkstra, A Note on Two Problems in Connexion with Graphs, 1959).
 
 #include "meshprep/human/bust.h"
+#include "meshprep/human/quad_mesh.h"
 
 #include <glm/glm.hpp>
 
@@ -31,5 +33,13 @@ void cutBelow(TriangleSurface& surface, float height);
 /// Closes the hole that lies in the plane y = `height` by a fan around its centre, facing down, of part Base, with coordinates (x, z) in
 /// mm. Returns the number of triangles added.
 std::size_t closeBase(TriangleSurface& surface, float height);
+
+struct EdgeWays {
+    std::vector<float> length;         // of each vertex: to the nearest source; `reach` where it is farther
+    std::vector<std::uint32_t> source; // of each vertex nearer than `reach`: that source
+};
+
+[[nodiscard]] EdgeWays waysAlongEdges(const std::vector<glm::vec3>& positions, const std::vector<Quad>& quads,
+                                      const std::vector<std::uint32_t>& sources, float reach);
 
 } // namespace tegument

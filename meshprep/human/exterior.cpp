@@ -2,7 +2,7 @@
 
 #include "host/support/disjoint_sets.h"
 #include "host/support/rays/surface_tree.h"
-#include "meshprep/human/edge_ways.h"
+#include "meshprep/human/cut.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,9 @@
 #include "meshprep/human/head_surface.h"
 
 #include "meshprep/human/atlas.h"
-#include "meshprep/human/charts.h"
 #include "meshprep/human/cut.h"
 #include "meshprep/human/exterior.h"
 #include "meshprep/human/subdivide.h"
-#include "meshprep/human/unfold.h"
 
 #include <fmt/format.h>
 

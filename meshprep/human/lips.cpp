@@ -1,7 +1,7 @@
 #include "meshprep/human/lips.h"
 
-#include "meshprep/human/charts.h"
-#include "meshprep/human/edge_ways.h"
+#include "meshprep/human/atlas.h"
+#include "meshprep/human/cut.h"
 #include "meshprep/human/subdivide.h"
 
 #include <algorithm>

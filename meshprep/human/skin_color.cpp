@@ -1,8 +1,6 @@
 #include "meshprep/human/skin_color.h"
 
 #include "meshprep/base/noise.h"
-#include "meshprep/human/eye_color.h"
-#include "meshprep/human/pigment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +9,7 @@ namespace tegument {
 
 namespace {
 
-// Volume shares added where a region is fully present; judged by eye on the rendered head, within the published ranges (pigment.h).
+// Volume shares added where a region is fully present; judged by eye on the rendered head, within the published ranges.
 constexpr float kCheekBlood = 0.0065f;
 constexpr float kNoseBlood = 0.0075f;
 constexpr float kEarBlood = 0.008f;
@@ -79,6 +77,74 @@ glm::vec3 skinColor(const SurfacePoint& point, const Face& face, const FacialHai
     return glm::mix(color, kHair, 0.9f * hairs.brows.coverage(point.position, point.texelMm));
 }
 
+// Two layers. The epidermis absorbs only: light crosses it twice. The dermis scatters and absorbs without end in depth: diffuse reflectance
+// of H. W. Jensen, S. Marschner, M. Levoy, P. Hanrahan, A Practical Model for Subsurface Light Transport, 2001, section 2.4.
+//
+//   melanosomes      mu_a = 1.70e11 l^-3.48 /mm                      S. L. Jacques, Skin Optics, Oregon Medical Laser Center News, 1998
+//   bloodless tissue mu_a = 0.0244 + 8.53 exp(-(l - 154) / 66.2) /mm  the same
+//   whole blood      mu_a = 2.303 e 150 g/l / 64500 g/mol            S. Prahl, Tabulated Molar Extinction Coefficient for Hemoglobin in
+//                                                                    Water, 1998 (e in 1/(cm mol/l))
+//   dermis           mu_s' = 6.87 (l / 500 nm)^-1.161 /mm            S. L. Jacques, Optical properties of biological tissues: a review,
+//   2013,
+//                                                                    table 1, skin after Simpson et al. 1998
+// l is the wavelength in nm.
+
+constexpr glm::vec3 kWavelength(610, 550, 460);      // nm
+constexpr glm::vec3 kOxygenated(1506, 43016, 44480); // Prahl, 1/(cm mol/l)
+constexpr glm::vec3 kDeoxygenated(9443.6f, 53412, 23388.8f);
+constexpr float kBloodPerExtinction = 2.303f * 150 / 64500 / 10; // 1/mm for 1/(cm mol/l)
+constexpr float kEpidermis = 0.06f;                              // mm
+constexpr float kPath = 4; // diffuse light crosses a thin layer on paths twice its thickness on the mean, once in and once out
+
+/// Internal reflection of diffuse light at a boundary of index 1.4 (Jensen et al. 2001, section 2.1): (1 + F) / (1 - F).
+float boundaryTerm() {
+    constexpr float kIndex = 1.4f;
+    constexpr float kReflected = -1.440f / (kIndex * kIndex) + 0.710f / kIndex + 0.668f + 0.0636f * kIndex;
+    return (1 + kReflected) / (1 - kReflected);
+}
+
+glm::vec3 dermisReflectance(const glm::vec3& absorption) {
+    const glm::vec3 scattering = 6.87f * glm::pow(kWavelength / 500.0f, glm::vec3(-1.161f));
+    const glm::vec3 albedo = scattering / (scattering + absorption);
+    const glm::vec3 root = glm::sqrt(3.0f * (1.0f - albedo));
+    return albedo / 2.0f * (1.0f + glm::exp(-4.0f / 3 * boundaryTerm() * root)) * glm::exp(-root);
+}
+
+constexpr float kPupilRadius = 1.7f; // mm, indoors
+
+/// 0 in the iris, 1 in the white: a soft border, as the clear cornea passes into the white over a millimetre.
+float limbus(float radius) {
+    return glm::smoothstep(kIrisRadius - 0.65f, kIrisRadius + 0.45f, radius);
+}
+
+glm::vec3 irisColor(float radius, float angle, std::uint32_t seed) {
+    const glm::vec2 around(std::cos(angle), std::sin(angle));
+    const float share = (radius - kPupilRadius) / (kIrisRadius - kPupilRadius);
+    const float fibres = fractalNoise(glm::vec3(around * 9.0f, share * 0.9f), 4, seed);
+    const float wave = fractalNoise(glm::vec3(around * 2.5f, 3), 2, seed + 5);
+    const glm::vec3 inner(0.105f, 0.068f, 0.036f); // collarette: hazel
+    const glm::vec3 outer(0.058f, 0.066f, 0.062f); // grey-green
+    const glm::vec3 base = glm::mix(inner, outer, glm::smoothstep(0.1f, 0.55f, share + 0.25f * wave));
+    const float ring = 1 - 0.65f * glm::smoothstep(0.62f, 1.0f, share);              // limbal ring
+    const float rim = glm::mix(0.45f, 1.0f, glm::smoothstep(0.0f, 0.12f, share));    // pupil's frill
+    const float gathered = 1 - 0.3f * around.y * glm::smoothstep(0.1f, 0.8f, share); // the cornea gathers light from above below
+    return base * std::max(0.25f, 1 + 0.85f * fibres) * ring * rim * gathered;
+}
+
+glm::vec3 scleraColor(const glm::vec3& fromCentre, float radius, std::uint32_t seed) {
+    const glm::vec3 white(0.5f, 0.445f, 0.41f); // a living one is no paper: .7 to .75 of it in sRGB
+    const glm::vec3 flushed(0.43f, 0.23f, 0.2f);
+    const glm::vec3 warped =
+        fromCentre + 0.7f * glm::vec3(gradientNoise(fromCentre / 1.6f, seed + 7), gradientNoise(fromCentre / 1.6f, seed + 8), 0);
+    const float lines = std::abs(gradientNoise(glm::vec3(warped.x / 6, warped.y / 1.7f, warped.z / 6), seed + 9));
+    const float vessels = (1 - glm::smoothstep(0.0f, 0.05f, lines)) * (0.5f + 0.5f * gradientNoise(fromCentre / 3.0f, seed + 11));
+    const float corner = glm::smoothstep(7.5f, 13.5f, radius);
+    const float blotch = 0.12f * fractalNoise(fromCentre / 4.0f, 3, seed + 12);
+    const glm::vec3 clear =
+        white * glm::mix(glm::vec3(0.86f, 0.92f, 1.0f), glm::vec3(1), glm::smoothstep(5.5f, 8.0f, radius)); // bluish at the iris
+    return glm::mix(clear, flushed, std::clamp(0.08f + blotch + 0.55f * corner + 0.4f * vessels * (0.35f + corner), 0.0f, 1.0f));
+}
+
 } // namespace
 
 glm::vec4 surfaceColor(const SurfacePoint& point, const Face& face, const FacialHair& hairs, std::uint32_t seed) {
@@ -88,6 +154,23 @@ glm::vec4 surfaceColor(const SurfacePoint& point, const Face& face, const Facial
         return {eyeColor(point.position, face.eyeAt(point.position), seed) * light, 0};
     }
     return {skinColor(point, face, hairs, seed), 1};
+}
+
+glm::vec3 skinReflectance(const Pigments& pigments) {
+    const glm::vec3 melanosomes = 1.70e11f * glm::pow(kWavelength, glm::vec3(-3.48f));
+    const glm::vec3 tissue = 0.0244f + 8.53f * glm::exp((154.0f - kWavelength) / 66.2f);
+    const glm::vec3 blood = kBloodPerExtinction * glm::mix(kDeoxygenated, kOxygenated, pigments.oxygenation);
+    const glm::vec3 epidermis = glm::mix(tissue, melanosomes, pigments.melanin);
+    const glm::vec3 dermis = glm::mix(tissue, blood, pigments.blood);
+    return glm::exp(-kPath * kEpidermis * epidermis) * dermisReflectance(dermis);
+}
+
+glm::vec3 eyeColor(const glm::vec3& position, const Eyeball& eye, std::uint32_t seed) {
+    const glm::vec2 plane = eyeChart(eye, position);
+    const float radius = glm::length(plane);
+    const float pupil = 1 - glm::smoothstep(kPupilRadius - 0.15f, kPupilRadius + 0.15f, radius);
+    const glm::vec3 iris = glm::mix(irisColor(radius, std::atan2(plane.y, plane.x), seed), glm::vec3(0.004f), pupil);
+    return glm::mix(iris, scleraColor(position - eye.centre, radius, seed), limbus(radius));
 }
 
 } // namespace tegument

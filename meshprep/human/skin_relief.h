@@ -1,5 +1,6 @@
 #pragma once
 // The fine relief of skin as a height in millimetres over the subdivided surface, evaluated in space: no seams between charts.
+// How skin shines by place: how rough its surface is, and how much it mirrors.
 
 #include "meshprep/human/face.h"
 
@@ -14,5 +15,15 @@ namespace tegument {
 
 /// The tangent space normal (x tangent, y bitangent, z normal) of the relief: central differences over one texel, slopes true to scale.
 [[nodiscard]] glm::vec3 reliefNormal(const SurfacePoint& point, const Face& face, std::uint32_t seed);
+
+/// Factors of the effect's roughness (Beckmann m) and specular intensity (rho_s), 0 to 1.99.
+struct Shine {
+    float roughness = 1;
+    float intensity = 1;
+};
+[[nodiscard]] Shine shineAt(const SurfacePoint& point, const Face& face, std::uint32_t seed);
+
+/// Both as the map stores them: 128 of 255 is 1. Red roughness, green intensity.
+[[nodiscard]] Image bakeShine(const HeadSurface& head, int size, const Face& face, std::uint32_t seed);
 
 } // namespace tegument

@@ -1,6 +1,8 @@
 #pragma once
 // Figures of a mesh: what its order is measured by, and its bytes.
+// Triangles in the order in which those that hide others tend to come first.
 
+#include "host/mesh/mesh.h"
 #include "meshprep/order/cache.h"
 
 #include <array>
@@ -37,5 +39,15 @@ struct SizeFigures {
 inline constexpr std::size_t kMost16BitVertices = 65535;
 
 [[nodiscard]] SizeFigures sizes(std::size_t vertices, std::size_t triangles, std::size_t vertexBytes, bool small);
+
+/// Fragments shaded per pixel covered, mean over views along the axes: 1 at best.
+struct Overdraw {
+    double before = 0;
+    double after = 0;
+};
+
+/// Clusters of triangles are sorted (P. Sander, D. Nehab, J. Barczak, 2007); vertex reuse may get this much worse.
+inline constexpr float kOverdrawThreshold = 1.05f;
+Overdraw orderForOverdraw(Mesh& mesh);
 
 } // namespace tegument::prep

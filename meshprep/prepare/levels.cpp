@@ -3,10 +3,10 @@
 #include "meshprep/prepare/levels.h"
 
 #include "host/support/parallel.h"
-#include "meshprep/prepare/local_vertices.h"
+#include "meshprep/prepare/centre.h"
 #include "meshprep/prepare/manifold_levels.h"
 #include "meshprep/prepare/simplify.h"
-#include "meshprep/prepare/unit_size.h"
+#include "meshprep/prepare/vertices.h"
 #include "meshprep/prepare/whole_mesh.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #pragma once
 // How evenly textures lie on a mesh: by its own texture coordinates, and by the vectors with which the source document looks fur up.
+// How evenly strands lie that are looked up by the rest position: at roots on the surface (T3), or where the surface cuts balls in space
+// (T2).
 
 #include "meshprep/prepare/patches.h"
 #include "meshprep/prepare/surface.h"
@@ -30,5 +32,21 @@ inline constexpr int kMappingTexels = 1024; // side of the texture, or of each o
 /// One entry per way: the mesh's own coordinates if it has some, then {position, normal, sum of both} x {sphere map, cube map, two
 /// equal-area discs}. The mesh must be centred and have normals.
 [[nodiscard]] std::vector<MappingFigures> examineMapping(const Surface& surface);
+
+/// Shares are of the mesh's area.
+struct RootMapping {
+    std::string name;
+    std::size_t count = 0; // strands
+    double cvPatch = 0;    // of the count per area over kPatches patches
+    double poissonCv = 0;  // what independent places would give: sqrt(patches / count)
+    double starved = 0;    // no strand within the disc that would hold one at 5 % of the density: sqrt(1 / (0.05 pi)) = 2.52 spacings
+    double largestGap = 0; // greatest distance of a sampled place from its nearest strand, spacings
+    double seamLength = 0; // edges at which the look-up vector differs between the two sides, over the square root of the area
+};
+
+inline constexpr std::size_t kMappedRoots = 70'000;
+
+/// T3, then T2. The mesh must have bounds and normals.
+[[nodiscard]] std::vector<RootMapping> examineRoots(const Surface& surface, std::size_t count = kMappedRoots);
 
 } // namespace tegument::prep

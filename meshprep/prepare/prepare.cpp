@@ -1,11 +1,10 @@
 #include "meshprep/prepare/prepare.h"
 
+#include "host/mesh/extent.h"
 #include "host/mesh/facing.h"
-#include "host/mesh/length.h"
 #include "host/mesh/normals.h"
 #include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
-#include "meshprep/prepare/local_vertices.h"
 #include "meshprep/prepare/unwrap.h"
 #include "meshprep/prepare/vertices.h"
 

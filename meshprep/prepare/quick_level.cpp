@@ -1,8 +1,8 @@
 // One step of meshoptimizer's simplification, of all parts as one surface.
 
+#include "meshprep/prepare/centre.h"
 #include "meshprep/prepare/levels.h"
 #include "meshprep/prepare/simplify.h"
-#include "meshprep/prepare/unit_size.h"
 
 #include <algorithm>
 

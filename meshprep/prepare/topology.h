@@ -30,7 +30,7 @@ struct Oriented {
 };
 
 /// Makes the triangles face outwards: those that differ from their component's majority are turned, then each closed shell that is inside
-/// out (shells.h), and what is open, as one, where it faces inwards.
+/// out, and what is open, as one, where it faces inwards.
 Oriented orient(Surface& surface);
 
 /// How many closed shells are inside out, where neighbours agree on their sides.

@@ -1,7 +1,7 @@
 #include "meshprep/prepare/whole_mesh.h"
 
-#include "meshprep/prepare/local_vertices.h"
-#include "meshprep/prepare/unit_size.h"
+#include "meshprep/prepare/centre.h"
+#include "meshprep/prepare/vertices.h"
 
 #include <algorithm>
 #include <array>

@@ -2,21 +2,258 @@
 
 #include "host/support/parallel.h"
 #include "meshprep/skin/link_cells.h"
-#include "meshprep/skin/link_fit.h"
 #include "meshprep/skin/link_receiver.h"
-#include "meshprep/skin/link_tree.h"
 #include "meshprep/skin/wide_texels.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tegument {
 
 namespace {
+
+struct LinkTreeCell {
+    std::uint8_t level = 0;
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+};
+
+class LinkTree {
+public:
+    /// A ball that holds cells. Nodes stand in order: the first half of a node's cells is the next node.
+    struct Node {
+        glm::vec3 place{0};
+        float radius = 0;
+        float area = 0;
+        std::uint32_t first = 0; // of cells()
+        std::uint32_t end = 0;
+        std::uint32_t largest = 0; // the cell with the most area
+        std::uint32_t second = 0;  // the node of the second half; 0 for one cell
+    };
+
+    /// Of the largest cells of at most this extent, and those of the finest level.
+    LinkTree(const LinkCells& cells, float extent);
+
+    [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+    [[nodiscard]] const std::vector<LinkTreeCell>& cells() const { return cells_; }
+
+private:
+    void collect(const LinkCells& cells, int level, int x, int y, float extent);
+    void build(const LinkCells& cells, std::uint32_t first, std::uint32_t end);
+
+    std::vector<LinkTreeCell> cells_;
+    std::vector<Node> nodes_;
+};
+
+const LinkCell& cellIn(const LinkCells& cells, const LinkTreeCell& at) {
+    return cells.at(at.level, at.x, at.y);
+}
+
+LinkTree::LinkTree(const LinkCells& cells, float extent) {
+    const int top = kLinkLevels - 1;
+    for (int i = 0; i < LinkCells::side(top) * LinkCells::side(top); ++i)
+        collect(cells, top, i % LinkCells::side(top), i / LinkCells::side(top), extent);
+    nodes_.reserve(2 * cells_.size());
+    if (!cells_.empty()) build(cells, 0, static_cast<std::uint32_t>(cells_.size()));
+}
+
+void LinkTree::collect(const LinkCells& cells, int level, int x, int y, float extent) {
+    const LinkCell& cell = cells.at(level, x, y);
+    if (!(cell.area > 0)) return;
+    if (level == 0 || std::numbers::sqrt2_v<float> * cell.radius <= extent) {
+        cells_.push_back(
+            {.level = static_cast<std::uint8_t>(level), .x = static_cast<std::uint16_t>(x), .y = static_cast<std::uint16_t>(y)});
+        return;
+    }
+    for (int i = 0; i < 4; ++i)
+        collect(cells, level - 1, 2 * x + i % 2, 2 * y + i / 2, extent);
+}
+
+void LinkTree::build(const LinkCells& cells, std::uint32_t first, std::uint32_t end) {
+    Node node{.first = first, .end = end, .largest = first};
+    glm::vec3 low(INFINITY), high(-INFINITY), sum(0);
+    for (std::uint32_t i = first; i < end; ++i) {
+        const LinkCell& cell = cellIn(cells, cells_[i]);
+        node.area += cell.area;
+        sum += cell.area * cell.place;
+        low = glm::min(low, cell.place);
+        high = glm::max(high, cell.place);
+        if (cell.area > cellIn(cells, cells_[node.largest]).area) node.largest = i;
+    }
+    node.place = sum / node.area;
+    for (std::uint32_t i = first; i < end; ++i) {
+        const LinkCell& cell = cellIn(cells, cells_[i]);
+        node.radius = std::max(node.radius, glm::length(cell.place - node.place) + cell.radius);
+    }
+    const std::size_t index = nodes_.size();
+    nodes_.push_back(node);
+    if (end - first == 1) return;
+    const glm::vec3 size = high - low;
+    const glm::length_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::uint32_t middle = first + (end - first) / 2;
+    std::nth_element(
+        cells_.begin() + first, cells_.begin() + middle, cells_.begin() + end,
+        [&](const LinkTreeCell& a, const LinkTreeCell& b) { return cellIn(cells, a).place[axis] < cellIn(cells, b).place[axis]; });
+    build(cells, first, middle);
+    nodes_[index].second = static_cast<std::uint32_t>(nodes_.size());
+    build(cells, middle, end);
+    // Cells have moved since the largest was found.
+    const std::uint32_t a = nodes_[index + 1].largest, b = nodes_[nodes_[index].second].largest;
+    nodes_[index].largest = cellIn(cells, cells_[a]).area >= cellIn(cells, cells_[b]).area ? a : b;
+}
+
+/// A cell of the hierarchy: its texel of the pyramid.
+struct LinkSource {
+    int level = 0;
+    int x = 0;
+    int y = 0;
+};
+
+/// What the sources of a list gather from: cells of their own level, three along each side, as far as these lie on charts. Made once for a
+/// list, for any function.
+class LinkFit {
+public:
+    LinkFit(const LinkCells& cells, std::span<const LinkSource> sources);
+
+    /// Cells that sources gather from, each once.
+    [[nodiscard]] const std::vector<LinkSource>& nodes() const { return nodes_; }
+
+    /// Improves weights towards the least squares over the surface between what the sources send, spread as they gather it, and a function:
+    /// `means`, its mean over each node, 1/mm^2. No weight falls below 0. `weights`: one for each source.
+    void improve(std::span<const float> means, std::span<float> weights) const;
+
+private:
+    struct Share {
+        std::uint32_t source = 0;
+        std::uint32_t node = 0;
+        float share = 0;
+    };
+    void gather(const LinkCells& cells, std::span<const LinkSource> sources);
+    void findOverlaps(const LinkCells& cells);
+
+    std::size_t count_ = 0;
+    std::vector<LinkSource> nodes_;
+    std::vector<std::uint32_t> keys_; // of the nodes, ascending
+    std::vector<Share> shares_;       // what sources take of nodes, 1 in all of each source; by nodes
+    std::vector<std::size_t> ends_;   // where those of each node end
+    std::vector<float> overlap_;      // source by source: the integral of the product of the two, 1/mm^2
+};
+
+/// Shares of the cells that a source gathers from, along each axis: with the square's own 1/12 variances of 0.48 and, of the finest level,
+/// 0.25 squares of a side. Reductions by 1 3 3 1 tend to 0.5; the finest level is the base of maps of 512 texels, 1/12, and the first
+/// reduction of larger ones, 0.40.
+constexpr std::array kGathered = {0.2F, 0.6F, 0.2F};
+constexpr std::array kFinestGathered = {1 / 12.0F, 5 / 6.0F, 1 / 12.0F};
+/// More of them change no picture.
+constexpr int kSweeps = 8;
+
+constexpr int kKeyBits = 10; // of a coordinate
+static_assert(kFinestLinkCells <= 1 << kKeyBits);
+
+std::uint32_t keyOf(const LinkSource& cell) {
+    return static_cast<std::uint32_t>(((cell.level << kKeyBits) + cell.y) << kKeyBits | cell.x);
+}
+
+LinkSource cellOf(std::uint32_t key) {
+    constexpr std::uint32_t kMask = (1U << kKeyBits) - 1;
+    return {.level = static_cast<int>(key >> (2 * kKeyBits)),
+            .x = static_cast<int>(key & kMask),
+            .y = static_cast<int>(key >> kKeyBits & kMask)};
+}
+
+struct Taken {
+    std::uint32_t key = 0;
+    std::uint32_t source = 0;
+    float share = 0;
+};
+
+void take(const LinkCells& cells, const LinkSource& source, std::uint32_t index, std::vector<Taken>& taken) {
+    const auto& shares = source.level == 0 ? kFinestGathered : kGathered;
+    const int side = LinkCells::side(source.level);
+    const std::size_t first = taken.size();
+    float sum = 0;
+    for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+            const LinkSource at{.level = source.level, .x = source.x + i, .y = source.y + j};
+            if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) continue;
+            const float covered = cells.at(at.level, at.x, at.y).covered;
+            if (!(covered > 0)) continue;
+            taken.push_back(
+                {keyOf(at), index, shares[static_cast<std::size_t>(i + 1)] * shares[static_cast<std::size_t>(j + 1)] * covered});
+            sum += taken.back().share;
+        }
+    for (std::size_t i = first; i < taken.size(); ++i)
+        taken[i].share /= sum;
+}
+
+LinkFit::LinkFit(const LinkCells& cells, std::span<const LinkSource> sources) : count_(sources.size()) {
+    gather(cells, sources);
+    findOverlaps(cells);
+}
+
+void LinkFit::gather(const LinkCells& cells, std::span<const LinkSource> sources) {
+    std::vector<Taken> taken;
+    taken.reserve(9 * sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        take(cells, sources[i], static_cast<std::uint32_t>(i), taken);
+    std::ranges::sort(taken, {}, &Taken::key);
+    for (const Taken& one : taken) {
+        if (keys_.empty() || keys_.back() != one.key) {
+            if (!keys_.empty()) ends_.push_back(shares_.size());
+            keys_.push_back(one.key);
+            nodes_.push_back(cellOf(one.key));
+        }
+        shares_.push_back({one.source, static_cast<std::uint32_t>(nodes_.size() - 1), one.share});
+    }
+    ends_.push_back(shares_.size());
+}
+
+// Nodes are the same, or one within the other, or apart.
+void LinkFit::findOverlaps(const LinkCells& cells) {
+    overlap_.assign(count_ * count_, 0.0F);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        LinkSource outer = nodes_[i];
+        for (; outer.level < kLinkLevels; outer = {.level = outer.level + 1, .x = outer.x / 2, .y = outer.y / 2}) {
+            const auto found = std::ranges::lower_bound(keys_, keyOf(outer));
+            if (found == keys_.end() || *found != keyOf(outer)) continue;
+            const auto other = static_cast<std::size_t>(found - keys_.begin());
+            const float scale = 1 / cells.at(outer.level, outer.x, outer.y).area;
+            for (std::size_t a = i > 0 ? ends_[i - 1] : 0; a < ends_[i]; ++a)
+                for (std::size_t b = other > 0 ? ends_[other - 1] : 0; b < ends_[other]; ++b) {
+                    const float both = shares_[a].share * shares_[b].share * scale;
+                    overlap_[shares_[a].source * count_ + shares_[b].source] += both;
+                    if (other != i) overlap_[shares_[b].source * count_ + shares_[a].source] += both;
+                }
+        }
+    }
+}
+
+// Projected Gauss-Seidel: each weight in turn to where the error is least, or 0.
+void LinkFit::improve(std::span<const float> means, std::span<float> weights) const {
+    std::vector<float> missing(count_);
+    for (const Share& share : shares_)
+        missing[share.source] += share.share * means[share.node];
+    const auto change = [&](std::size_t source, float by) {
+        const float* row = &overlap_[source * count_];
+        for (std::size_t i = 0; i < count_; ++i)
+            missing[i] -= by * row[i];
+    };
+    for (std::size_t i = 0; i < count_; ++i)
+        change(i, weights[i]);
+    for (int sweep = 0; sweep < kSweeps; ++sweep)
+        for (std::size_t i = 0; i < count_; ++i) {
+            const float better = std::max(weights[i] + missing[i] / overlap_[i * count_ + i], 0.0F);
+            change(i, better - weights[i]);
+            weights[i] = better;
+        }
+}
 
 /// A source is taken apart to find its weight where its side is more than this share of the narrower Gaussian's width.
 constexpr double kFineShare = 0.75;

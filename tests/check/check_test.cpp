@@ -1,14 +1,20 @@
-#include "tools/check/check.h"
+// The example of docs/your-engine.md that skins the effects.
 
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
+#include "tests/check/broken.h"
+#include "tests/check/describe.h"
 #include "tests/check/effect_files.h"
+#include "tests/check/hook_example.h"
 #include "tests/spirv/missing.h"
+#include "tools/check/check.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 #include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
 
 namespace tegument::test {
 namespace {
@@ -196,6 +202,43 @@ TEST(CheckReport, fails_with_one_target_and_is_incomplete_with_one_unchecked) {
     EXPECT_FALSE(report.complete());
     report.files[0].targets.push_back({.target = Target::Fx5, .verdict = Verdict::Failed});
     EXPECT_TRUE(report.failed());
+}
+
+/// Semantics that vertex shaders of this report read.
+std::set<std::string> vertexInputs(const FileReport& file) {
+    std::set<std::string> semantics;
+    for (const EntryPoint& entry : file.entries)
+        if (entry.kind == ShaderKind::Vertex && entry.glslang)
+            for (const StageVariable& input : entry.glslang->reflection.inputs)
+                semantics.insert(input.semantic);
+    return semantics;
+}
+
+TEST(VertexHookExample, compiles_by_the_compilers_of_vulkan_with_its_streams) {
+    const EffectsCopy copy;
+    for (const char* effect : {"Main.fx", "FurRoots.fx", "Culling.fx", "peers/Separable.fx"}) {
+        const FileReport file = checkEffects({copy.put(hookExample(), effect)}, spirvTargets()).files.at(0);
+        for (const TargetCheck& target : file.targets) {
+            EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
+            EXPECT_NE(std::ranges::find(target.diagnostics, 4042, &Diagnostic::code), target.diagnostics.end()) << "this host has no bones";
+        }
+        for (const char* semantic : {"BLENDINDICES0", "BLENDWEIGHT0"})
+            EXPECT_TRUE(vertexInputs(file).contains(semantic)) << effect << " without " << semantic;
+    }
+}
+
+constexpr std::size_t kPromised = 20;
+
+TEST(BrokenEffects, are_blamed_on_the_right_line_by_the_front_end_and_for_spirv) {
+    const auto files = brokenEffects();
+    ASSERT_GE(files.size(), kPromised);
+    std::vector<Target> targets{Target::SpirvGlslang};
+    if (compilerAvailable(Compiler::Dxc)) targets.insert(targets.end(), {Target::SpirvDxc, Target::Dxil});
+    const CheckReport report = checkEffects(files, targets);
+    for (const FileReport& file : report.files) {
+        if (file.file.stem() == "layout" && targets.size() == 1) continue; // two compilers are compared there
+        expectBlame(file);
+    }
 }
 
 } // namespace

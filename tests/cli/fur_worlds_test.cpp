@@ -1,9 +1,11 @@
 // Fur is the same picture in every world: whatever unit the mesh is in, whatever the world matrix scales by, turns or mirrors.
+// Light on strands, as a user meets it: from where it comes, and none where there is none.
 
 #include "tests/cli/picture.h"
 #include "tests/cli/program.h"
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -89,6 +91,36 @@ struct Drawing {
 
 class FurWorlds : public testing::TestWithParam<Drawing> {};
 
+constexpr double kRadius = 110; // of ballMesh()
+
+/// Nothing but this light; the coat's own colours.
+std::string litBy(const std::string& name, const std::string& light) {
+    return write(
+        name,
+        fmt::format(
+            R"({{"mesh": "{}", "unit_mm": 1, "head": false, "background": [0, 0, 0], "camera": {{"frame": "world", "position": [0, 0, 700],
+ "target": [0, 0, 0], "horizontal_fov": 22}}, "light": {{"frame": "world", "color": [1, 1, 1], {}}},
+ "parameters": {{"gCoatSky": [0, 0, 0], "gCoatGround": [0, 0, 0], "gCoatRim": [0, 0, 0], "gFurFill": [0, 0, 0]}}}})",
+            ballMesh(), light));
+}
+
+Image drawn(const std::string& technique, const std::string& workspace) {
+    return render(technique, {"effects/FurCoat.fx", "-t", technique, "-w", workspace, "--size", "128x128", "--samples", "4", "-D",
+                              "TEGUMENT_MAP_SIZE=512"})
+        .image;
+}
+
+/// Means of blocks of eight pixels a side: single strands differ by where texels of the light's map lie.
+std::vector<double> blocks(const Image& image) {
+    constexpr int kBlock = 8;
+    std::vector<double> sums(static_cast<std::size_t>(image.width / kBlock) * static_cast<std::size_t>(image.height / kBlock));
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            sums[static_cast<std::size_t>(y / kBlock) * static_cast<std::size_t>(image.width / kBlock) +
+                 static_cast<std::size_t>(x / kBlock)] += static_cast<double>(image.at(x, y, 1)) / (kBlock * kBlock);
+    return sums;
+}
+
 } // namespace
 
 TEST_P(FurWorlds, show_the_same_coat) {
@@ -106,3 +138,27 @@ INSTANTIATE_TEST_SUITE_P(Techniques, FurWorlds,
                          testing::Values(Drawing{"effects/Fur.fx", "CubePosition"}, Drawing{"effects/Fur.fx", "SphereCombined"},
                                          Drawing{"effects/FurRoots.fx", "Cellular"}, Drawing{"effects/FurRoots.fx", "Roots"}),
                          [](const testing::TestParamInfo<Drawing>& tested) { return std::string(tested.param.technique); });
+
+TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
+    const glm::dvec3 toLight = {std::sin(0.35), 0, std::cos(0.35)};
+    const auto written = [](const glm::dvec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z); };
+    const std::string parallel = litBy("parallel.json", "\"direction\": " + written(-toLight));
+    const std::string point = litBy("point.json", "\"position\": " + written(60 * kRadius * toLight));
+    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute"}) {
+        const std::vector<double> far = blocks(drawn(technique, point));
+        const std::vector<double> rays = blocks(drawn(technique, parallel));
+        ASSERT_EQ(far.size(), rays.size());
+        double apart = 0, all = 0, mean = 0, of = 0;
+        for (std::size_t i = 0; i < far.size(); ++i) {
+            apart += std::pow(rays[i] - far[i], 2);
+            all += far[i] * far[i];
+            mean += rays[i];
+            of += far[i];
+        }
+        EXPECT_GT(all, 0) << technique << ": there is something to see";
+        // A point 60 radii away is one degree off at the ball's edge.
+        EXPECT_NEAR(mean / of, 1, 0.02) << technique;
+        EXPECT_LT(std::sqrt(apart / all), 0.025)
+            << technique << "; Strands 0.018, CoatSoft 0.015; lit from the root's own distance: 0.055, 0.124";
+    }
+}

@@ -97,11 +97,6 @@ int culledPixels(const std::string& technique, const std::string& setting) {
 
 } // namespace
 
-TEST(Modules, no_texel_out_of_reach_shows_in_the_view) {
-    EXPECT_EQ(culledPixels("ReachDEonLuebke", "corrected"), 0);
-    EXPECT_EQ(culledPixels("ReachGosselin", "corrected"), 0);
-}
-
 TEST(Modules, culling_per_vertex_as_printed_loses_texels_that_show) {
     // Triangles with one vertex behind the outline or out of the picture go whole.
     EXPECT_GT(culledPixels("PrePass", "seed"), 20);

@@ -1,16 +1,22 @@
 // The whole way through the house on a mesh that every machine has: what the program draws obeys the laws of the model.
+// `--samples`: one is at pixels' centres, several smooth edges, others are refused.
+// `render --turntable -o x.gif`, read again by giflib's decoder.
 
 #include "tests/cli/picture.h"
+#include "tests/cli/program.h"
 
 #include <fmt/format.h>
+#include <gif_lib.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 using namespace tegument::test;
 using ::tegument::Image;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -71,6 +77,46 @@ Picture white(const std::string& setting, int bits, const std::string& technique
                   {"effects/Convolution.fx", "-w", ballWorkspace(), "--technique", technique, "--setting", setting, "--size", "256x256",
                    "--map-size", "256", "-D", fmt::format("TEGUMENT_MAP_BITS={}", bits), "-D",
                    fmt::format("TEGUMENT_SEAM_REPAIR={}", repair)});
+}
+
+std::vector<std::string> ball(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"effects/OriginalTexture.fx", "-w", ballWorkspace(), "--size", "64x64"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+Ran renderTo(const fs::path& path, const std::string& samples) {
+    std::vector<std::string> arguments = {"render", "-o", path.string()};
+    for (const std::string& argument : ball({"--samples", samples}))
+        arguments.push_back(argument);
+    return tegument::test::tegument(arguments);
+}
+
+using File = std::unique_ptr<GifFileType, void (*)(GifFileType*)>;
+
+File readGif(const fs::path& path) {
+    File file(DGifOpenFileName(path.c_str(), nullptr), [](GifFileType* opened) { DGifCloseFile(opened, nullptr); });
+    if (file && DGifSlurp(file.get()) != GIF_OK) file.reset();
+    return file;
+}
+
+/// Mean of the absolute differences of the three channels, of 0..1.
+double framesApart(const SavedImage& picture, const tegument::Image& image) {
+    if (picture.ImageDesc.Width != image.width || picture.ImageDesc.Height != image.height || !picture.ImageDesc.ColorMap) return 1e9;
+    double sum = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const GifColorType& colour = picture.ImageDesc.ColorMap->Colors[picture.RasterBits[y * image.width + x]];
+            sum += std::abs(colour.Red / 255.0 - static_cast<double>(image.at(x, y, 0)));
+            sum += std::abs(colour.Green / 255.0 - static_cast<double>(image.at(x, y, 1)));
+            sum += std::abs(colour.Blue / 255.0 - static_cast<double>(image.at(x, y, 2)));
+        }
+    return sum / (3.0 * image.width * image.height);
+}
+
+Ran renderTurning(const fs::path& file) {
+    return tegument::test::tegument(
+        {"render", "effects/Specular.fx", "-w", ballWorkspace(), "--size", "96", "--turntable", "5", "-o", file.string()});
 }
 
 } // namespace
@@ -152,4 +198,91 @@ TEST(WhiteIrradiance, darkens_along_the_charts_where_the_seams_are_not_repaired)
     for (const char* technique : {"White", "WhitePoisson"})
         for (const char* setting : {"seed", "corrected"})
             EXPECT_GT(largestError(white(setting, 32, technique, 0).image, {1, 1, 1}), 0.1) << technique << ", " << setting;
+}
+
+TEST(Samples, one_is_drawn_without_a_resolve_and_covers_a_pixel_wholly_or_not_at_all) {
+    const Picture one = render("one", ball({"--samples", "1"}));
+    EXPECT_EQ(one.report["samples"], 1);
+    for (const auto& pass : one.report["passes"])
+        EXPECT_NE(pass["name"], "resolve");
+    for (std::size_t alpha = 3; alpha < one.image.pixels.size(); alpha += 4)
+        EXPECT_TRUE(one.image.pixels[alpha] == 0 || one.image.pixels[alpha] == 1) << one.image.pixels[alpha];
+}
+
+TEST(Samples, four_give_the_rim_of_a_ball_steps_of_a_quarter) {
+    const Picture four = render("four", ball({"--samples", "4"}));
+    EXPECT_EQ(four.report["samples"], 4);
+    bool between = false;
+    for (int y = 0; y < four.image.height; ++y)
+        for (int x = 0; x < four.image.width; ++x) {
+            const float alpha = 4 * four.image.at(x, y, 3);
+            EXPECT_EQ(alpha, std::round(alpha)) << x << ", " << y;
+            between = between || (alpha > 0 && alpha < 4);
+        }
+    EXPECT_TRUE(between);
+}
+
+TEST(Samples, every_technique_of_the_skin_draws_with_four) {
+    for (const char* technique : {"DEonLuebke", "Gosselin"}) {
+        const Picture four = render(technique, {"effects/Main.fx", "-t", technique, "-w", ballWorkspace(), "--size", "64x64", "--map-size",
+                                                "64", "--samples", "4"});
+        EXPECT_EQ(four.report["samples"], 4) << technique;
+    }
+}
+
+TEST(Samples, a_number_other_than_1_2_4_8_is_refused_before_work) {
+    for (const char* samples : {"0", "3", "16", "-4", "four"}) {
+        const fs::path path = scratch() / "refused.png";
+        const Ran ran = renderTo(path, samples);
+        EXPECT_EQ(ran.code, 2) << ran.err;
+        EXPECT_NE(ran.err.find("--samples"), std::string::npos) << ran.err;
+        EXPECT_FALSE(fs::exists(path));
+    }
+}
+
+TEST(Samples, eight_are_drawn_or_refused_with_those_that_the_device_has) {
+    const fs::path path = scratch() / "eight.png";
+    const Ran ran = renderTo(path, "8");
+    if (ran.code == 0) {
+        EXPECT_TRUE(fs::exists(path));
+        return;
+    }
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("TG6016"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("1, 4"), std::string::npos) << ran.err;
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(Gif, looks_like_the_pngs_of_the_turntable) {
+    const Ran ran = renderTurning(scratch() / "turn.GIF");
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    ASSERT_EQ(renderTurning(scratch() / "turn.png").code, 0);
+    const File gif = readGif(scratch() / "turn.GIF");
+    ASSERT_TRUE(gif);
+    ASSERT_EQ(gif->ImageCount, 5);
+    for (int i = 0; i < 5; ++i) {
+        const auto png = tegument::loadImage(scratch() / fmt::format("turn-{:03}.png", i + 1));
+        ASSERT_TRUE(png);
+        EXPECT_LT(framesApart(gif->SavedImages[i], *png), 0.01) << "256 colours move no value by more than a hundredth, on the mean";
+    }
+}
+
+TEST(Gif, turns_once_in_four_seconds_and_for_ever) {
+    ASSERT_EQ(renderTurning(scratch() / "turn.gif").code, 0);
+    const File gif = readGif(scratch() / "turn.gif");
+    ASSERT_TRUE(gif);
+    ASSERT_GE(gif->ImageCount, 1);
+    for (int i = 0; i < gif->ImageCount; ++i) {
+        GraphicsControlBlock control{};
+        ASSERT_EQ(DGifSavedExtensionToGCB(gif.get(), i, &control), GIF_OK);
+        EXPECT_EQ(control.DelayTime, 80) << "hundredths of a second";
+    }
+    const SavedImage& first = gif->SavedImages[0];
+    ASSERT_GE(first.ExtensionBlockCount, 2);
+    const auto text = [&](int i) {
+        return std::string(reinterpret_cast<const char*>(first.ExtensionBlocks[i].Bytes),
+                           static_cast<std::size_t>(first.ExtensionBlocks[i].ByteCount));
+    };
+    EXPECT_EQ(text(0), "NETSCAPE2.0");
+    EXPECT_EQ(text(1), std::string("\1\0\0", 3)) << "without end";
 }

@@ -1,7 +1,7 @@
 // Draws everything with everything, once, in parts; compare_test.cpp looks at the results. CTest runs what they share first, then each part
 // before what compares it (fixtures).
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/support/file.h"
 #include "tests/d3d/engines.h"
 #include "tests/d3d/fur_scene.h"

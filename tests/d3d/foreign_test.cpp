@@ -2,7 +2,7 @@
 // compiler makes of the same file, drawn by ID3DXEffect of Direct3D 9 with the same values.
 
 #include "host/adopt/adopt.h"
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/semantics.h"
 #include "host/run/stage.h"
 #include "host/run/target_desc.h"

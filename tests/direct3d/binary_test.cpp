@@ -1,7 +1,12 @@
+// Reflections of Microsoft's compiler as JSON: what it says, and what it says as it dies.
+
 #include "tools/direct3d/effect_binary.h"
+#include "tools/direct3d/microsoft_messages.h"
+#include "tools/direct3d/microsoft_reflection.h"
 #include "tools/direct3d/sm3.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string>
@@ -158,5 +163,92 @@ TEST(Sm3, what_the_compiler_said_as_it_died_is_no_use_of_registers) {
     EXPECT_EQ(usage->varyings, (std::map<std::string, int>{{"TEXCOORD0", 1}}));
 }
 
+TEST(MicrosoftMessages, an_error_names_the_unix_path_as_the_user_wrote_it) {
+    const Messages messages = readMicrosoftMessages("Z:" + windowsPath(std::filesystem::absolute("effects/none.fx")).substr(2) +
+                                                        "(3,10-22): error X1507: failed to open source file: 'm.fxh'\n",
+                                                    "effects/none.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(format(messages.errors[0]), "effects/none.fx(3,10): error TG3101: X1507: failed to open source file: 'm.fxh'");
+}
+
+TEST(MicrosoftMessages, an_included_file_is_named_beside_the_source) {
+    const Messages messages = readMicrosoftMessages("passes/none.fxh(1,21): error X3014: wrong\n", "effects/none.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(messages.errors[0].at.file, "effects/passes/none.fxh");
+    EXPECT_EQ(messages.errors[0].at.line, 1);
+    EXPECT_EQ(messages.errors[0].at.column, 21);
+}
+
+TEST(MicrosoftMessages, a_place_before_the_file_s_first_line_is_none) {
+    const Messages messages = readMicrosoftMessages("x.fx(-639,-2): error X3000: syntax error\n", "x.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(messages.errors[0].at.line, 0);
+    EXPECT_EQ(messages.errors[0].at.column, 0);
+}
+
+TEST(MicrosoftMessages, the_warning_that_comes_with_every_effect_is_left_out) {
+    const Messages messages = readMicrosoftMessages(
+        "warning X4717: Effects deprecated for D3DCompiler_47\nx.fx(2,3): warning X3206: implicit truncation\n", "x.fx");
+    EXPECT_TRUE(messages.errors.empty());
+    ASSERT_EQ(messages.warnings.size(), 1U);
+    EXPECT_EQ(messages.warnings[0].code, 3102);
+    EXPECT_EQ(messages.warnings[0].text, "X3206: implicit truncation");
+}
+
+TEST(MicrosoftMessages, memory_that_compute_shaders_share_is_no_matter_for_the_others_of_their_file) {
+    const Messages messages =
+        readMicrosoftMessages("x.fx(66,20-28): warning X3579: vs_5_0 does not support groupshared, groupshared ignored\n", "x.fx");
+    EXPECT_TRUE(messages.errors.empty() && messages.warnings.empty());
+}
+
+TEST(MicrosoftMessages, an_error_without_place_is_one_of_the_file) {
+    const Messages messages = readMicrosoftMessages("error X3501: 'NOPE': entrypoint not found\n", "x.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(format(messages.errors[0]), "x.fx: error TG3101: X3501: 'NOPE': entrypoint not found");
+}
+
+TEST(MicrosoftMessages, a_technique11_in_fx_2_0_gets_a_hint) {
+    const Messages messages = readMicrosoftMessages("ID3DXEffectCompiler: There was an error initializing the compiler\n", "x.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_NE(messages.errors[0].hint.find("technique11"), std::string::npos);
+}
+
+using nlohmann::json;
+
+json plain() {
+    return json::parse(R"({"buffers": [{"name": "$Globals", "size": 48, "kind": 0, "members": [
+        {"name": "gTable", "offset": 0, "size": 36, "used": true, "class": 1, "type": 3, "rows": 1, "columns": 1, "elements": 3,
+         "default": [1065353216, 0, 0, 0, 1073741824, 0, 0, 0, 1077936128]}]}],
+        "resources": [], "inputs": [], "outputs": [], "threads": [0, 0, 0]})");
+}
+
+json& member(json& reflection) {
+    return reflection["buffers"][0]["members"][0];
+}
+
 } // namespace
+
+TEST(Sm5Reflections, of_a_constant_give_its_default_an_element_a_register) {
+    const auto read = readSm5Reflection(plain());
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->defaults.at("gTable"), (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Sm5Reflections, with_numbers_that_are_none_are_not_read) {
+    for (const char* key : {"offset", "size", "rows", "columns", "elements", "type", "class"})
+        for (const json& value : {json(1e300), json(0.5), json(-1), json(std::uint64_t{1} << 40), json(true), json("1"), json(nullptr)}) {
+            json wrong = plain();
+            member(wrong)[key] = value;
+            EXPECT_FALSE(readSm5Reflection(wrong)) << key << " " << value;
+        }
+    json word = plain();
+    member(word)["default"][1] = 1e300;
+    EXPECT_FALSE(readSm5Reflection(word));
+    json large = plain();
+    member(large)["elements"] = 16384;
+    EXPECT_TRUE(readSm5Reflection(large)) << "what a buffer has room for";
+    member(large)["rows"] = 2;
+    EXPECT_FALSE(readSm5Reflection(large));
+}
+
 } // namespace tegument::test

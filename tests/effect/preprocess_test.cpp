@@ -1,6 +1,11 @@
+// Where the files of an effect may lie when no mark says how far its project reaches, and where one that is missing lies.
+
+#include "host/support/file.h"
 #include "tests/effect/support.h"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 namespace tegument::test {
 namespace {
@@ -212,6 +217,157 @@ TEST(EffectSettings, are_absent_where_the_effect_names_none) {
     const Effect effect = loaded("float gA;");
     EXPECT_FALSE(effect.settings);
     EXPECT_TRUE(effect.metadata.empty());
+}
+
+std::string code(const std::string& text) {
+    return loaded(text).code;
+}
+
+TEST(CodeView, effect_syntax_is_blanked_and_shader_text_is_kept) {
+    EXPECT_EQ(code("float4 gTint : DIFFUSE < string UIName = \"Tint\"; > = { 1, 2, 3, 4 };\n"
+                   "float4 P() : SV_Target0 { return gTint < 1 ? 0 : 1; }\n"
+                   "technique T { pass P { PixelShader = compile ps_3_0 P(); } }\n"),
+              "#line 1 \"main.fx\"\n"
+              "float4 gTint                                                       ;\n"
+              "float4 P() : SV_Target0 { return gTint < 1 ? 0 : 1; }\n");
+}
+
+TEST(CodeView, lines_and_columns_stay_where_they_were) {
+    EXPECT_EQ(code("SamplerState gS\n{\n    AddressU = WRAP;\n};\n\n  float4 gA;"),
+              "#line 1 \"main.fx\"\nSamplerState gS\n\n\n ;\n\n  float4 gA;\n");
+}
+
+TEST(CodeView, far_jumps_and_includes_get_a_line_directive) {
+    const Effect effect = loaded(load(Files{{"main.fx", "float gA;\n#include \"a.fxh\"\nfloat gC;\n"}, {"a.fxh", "\nfloat gB;"}}));
+    EXPECT_EQ(effect.code, "#line 1 \"main.fx\"\nfloat gA;\n#line 2 \"a.fxh\"\nfloat gB;\n#line 3 \"main.fx\"\nfloat gC;\n");
+}
+
+TEST(CodeView, is_preprocessed_with_fx_entry) {
+    EXPECT_NE(code("#if FX_ENTRY\nfloat gEntry;\n#endif\n#ifdef FX_D3D11\nfloat gMeta;\n#endif").find("gEntry"), std::string::npos);
+    EXPECT_EQ(code("#ifdef FX_D3D11\nfloat gMeta;\n#endif").find("gMeta"), std::string::npos);
+}
+
+TEST(CodeView, metadata_is_preprocessed_with_fx_d3d11) {
+    const Effect effect = loaded("#ifdef FX_D3D11\nfloat gMeta;\n#endif\n#ifdef FX_ENTRY\nfloat gEntry;\n#endif");
+    EXPECT_NE(effect.findParameter("gMeta"), nullptr);
+    EXPECT_EQ(effect.findParameter("gEntry"), nullptr);
+}
+
+TEST(CodeView, strings_state_objects_and_the_global_script_vanish) {
+    EXPECT_EQ(code("string gText = \"a\"; BlendState gB { BlendEnable[0] = TRUE; }; float Script : STANDARDSGLOBAL = 0.8;"), "\n");
+}
+
+TEST(CodeView, qualifiers_that_compilers_misread_are_blanked) {
+    EXPECT_EQ(code("const float gA = 3; uniform float gB; static const float kC = 3;"),
+              "#line 1 \"main.fx\"\n      float gA    ;         float gB; static const float kC = 3;\n");
+}
+
+TEST(CodeView, pragmas_reach_the_compilers) {
+    EXPECT_NE(code("float gA;\n#pragma pack_matrix(row_major)\nfloat gB;").find("\n#pragma pack_matrix(row_major)\n"), std::string::npos);
+}
+
+TEST(CodeView, operators_of_macros_are_not_torn_apart) {
+    EXPECT_NE(code("#define LESS(a, b) ((a) <= (b))\nbool f(float x) { return LESS(x, 1); }").find("<="), std::string::npos);
+}
+
+TEST(CodeView, neighbours_of_macros_are_not_glued_together) {
+    const std::string text = code("#define MINUS -\nfloat f(float x) { return MINUS-x; }");
+    EXPECT_EQ(text.find("--"), std::string::npos) << text;
+}
+
+TEST(Direct3D9Intrinsics, are_found_with_their_position) {
+    const std::optional<Diagnostic> found = direct3D9Intrinsic(loaded(
+        load(Files{{"main.fx", "\n#include \"a.fxh\"\n"}, {"a.fxh", "\n\nfloat4 f() { return tex2Dlod(s, float4(0, 0, 0, 0)); }"}})));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->at.file, "a.fxh");
+    EXPECT_EQ(found->at.line, 3);
+    EXPECT_EQ(found->at.column, 21);
+}
+
+TEST(Direct3D9Intrinsics, macros_that_spell_them_in_direct3d10_are_fine) {
+    EXPECT_FALSE(direct3D9Intrinsic(loaded("#define tex2D(s, uv) s##Map.Sample(s, uv)\nTexture2D gSkinMap; SamplerState gSkin;\n"
+                                           "float4 f(float2 uv) { return tex2D(gSkin, uv); }")));
+}
+
+namespace fs = std::filesystem;
+
+class Unpacked : public testing::Test {
+protected:
+    void SetUp() override {
+        root_ = fs::temp_directory_path() /
+                fmt::format("tegument-unpacked-{}", ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        fs::remove_all(root_);
+        fs::create_directories(root_);
+    }
+    void TearDown() override { fs::remove_all(root_); }
+
+    fs::path write(const std::string& name, const std::string& text) const {
+        EXPECT_TRUE(writeFile(root_ / name, text));
+        return root_ / name;
+    }
+    static std::string said(const fs::path& effect) {
+        const auto read = loadEffect(effect, {.lenient = true});
+        return read ? std::string() : format(read.error());
+    }
+
+    fs::path root_;
+};
+
+TEST_F(Unpacked, an_archive_reads_what_its_effects_name_in_folders_beside_and_above) {
+    write("common.fxh", "float gCommon;");
+    write("lib/deep/more.fxh", "#include \"../more2.fxh\"\n");
+    write("lib/more2.fxh", "#include \"../common.fxh\"\n");
+    EXPECT_EQ(said(write("pack/sub/above.fx", "#include \"../../common.fxh\"\n")), "");
+    EXPECT_EQ(said(write("pack/sub/beside.fx", "#include <..\\..\\lib\\deep\\more.fxh>\n")), "") << "through what it includes";
+    EXPECT_EQ(said(write("sub/one.fx", "  #  include \"../common.fxh\" // shared\n")), "");
+}
+
+TEST_F(Unpacked, an_archive_holds_no_file_that_is_named_absolutely_or_behind_a_link) {
+    const fs::path secret = write("secret/s.fxh", "float gSecret;");
+    EXPECT_NE(said(write("a/absolute.fx", "#include \"" + secret.string() + "\"\n")).find("TG1014"), std::string::npos);
+    fs::create_directories(root_ / "a");
+    fs::create_symlink(secret, root_ / "a/link.fxh");
+    EXPECT_NE(said(write("a/linked.fx", "#include \"link.fxh\"\n")).find("TG1014"), std::string::npos);
+    EXPECT_NE(said(write("a/far.fx", "#include \"../../../../../../../../../../etc/passwd\"\n")).find("TG1014"), std::string::npos)
+        << "the common parent is the whole machine";
+}
+
+TEST_F(Unpacked, a_mark_ends_the_project_before_the_file) {
+    write("shared.fxh", "float gShared;");
+    write("repository/.git/HEAD", "ref");
+    EXPECT_NE(said(write("repository/sub/a.fx", "#include \"../../shared.fxh\"\n")).find("TG1014"), std::string::npos);
+}
+
+TEST_F(Unpacked, the_working_directory_holds_what_is_named_absolutely) {
+    const fs::path shared = write("lib/shared.fxh", "float gShared;");
+    const fs::path effect = write("a/b.fx", "#include \"" + shared.string() + "\"\n");
+    EXPECT_NE(said(effect).find("TG1014"), std::string::npos);
+    const fs::path before = fs::current_path();
+    fs::current_path(root_);
+    const std::string here = said(effect);
+    fs::current_path(root_ / "lib");
+    const std::string elsewhere = said(effect);
+    fs::current_path(before);
+    EXPECT_EQ(here, "");
+    EXPECT_NE(elsewhere.find("TG1014"), std::string::npos) << "the working directory does not hold the effect";
+}
+
+TEST_F(Unpacked, a_missing_include_is_looked_for_and_its_folder_named) {
+    write("shaders/lib/common.fxh", "float gCommon;");
+    write("shaders/lib/inner/part.fxh", "float gPart;");
+    const auto hint = [&](const fs::path& effect) {
+        const std::string text = said(effect);
+        EXPECT_NE(text.find("TG1001"), std::string::npos) << text;
+        const std::size_t at = text.find("-I ");
+        return at == std::string::npos ? std::string() : text.substr(at + 3, text.find(" finds it") - at - 3);
+    };
+    const std::string lib = (root_ / "shaders/lib").string();
+    const fs::path plain = write("shaders/sm3/a.fx", "#include \"common.fxh\"\n");
+    EXPECT_EQ(hint(plain), lib);
+    EXPECT_TRUE(loadEffect(plain, {.includeFolders = {lib}})) << "the hint works";
+    EXPECT_EQ(hint(write("shaders/sm3/b.fx", "#include <inner\\part.fxh>\n")), lib) << "of a name with a folder";
+    EXPECT_EQ(hint(write("c.fx", "#include \"Common.FXH\"\n")), lib) << "in another case";
+    EXPECT_EQ(hint(write("shaders/sm3/d.fx", "#include \"nowhere.fxh\"\n")), "");
 }
 
 } // namespace

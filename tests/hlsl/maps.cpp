@@ -66,14 +66,6 @@ const TestMap& irradianceMap() {
     return kMap;
 }
 
-const TestMap& needMap() {
-    static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
-        const float needed = (x / 8 == 5 && y / 8 == 7) || (x > 200 && y < 30) ? 1.0F : 0.0F;
-        return {needed, 4 * wave(x, y, 20, 0), 3 * wave(x, y, 30, 1), 1};
-    });
-    return kMap;
-}
-
 const TestMap& addressMap() {
     static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
         std::array<float, 4> texel{};

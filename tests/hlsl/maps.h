@@ -40,9 +40,6 @@ template <class Texel>
 /// An irradiance map: colours, alpha at most 0.99; single texels, rows and a block are invalid, (0, 0, 0, 1).
 [[nodiscard]] const TestMap& irradianceMap();
 
-/// (1 where needed, densities along U and V, 1), needed in a few places.
-[[nodiscard]] const TestMap& needMap();
-
 /// Whole numbers up to 8000 in every channel, a seventh of them 0: tables of addresses.
 [[nodiscard]] const TestMap& addressMap();
 

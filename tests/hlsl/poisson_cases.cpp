@@ -105,17 +105,6 @@ std::vector<FunctionCase> poissonCases() {
                      .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
                      .settings = {0, 2}});
     cases.back().arguments[2].components = 2;
-    cases.push_back({.function = "tgPoissonReach",
-                     .body = "return float4(tgPoissonReach(a0, a1), 0, 0);",
-                     .arguments = {linear(0, 20), whole(0, 6)},
-                     .expected =
-                         [](const Inputs& x) { // the longest point of the disc is 1.01; three texels at least outside the charts
-                             const double n = x.scalar(1);
-                             if (x.corrected()) return values(x.scalar(0) * 1.01 * n, 3.5 * n);
-                             return values(0, (2 * x.scalar(0) * 1.01 + 0.5) * n);
-                         },
-                     .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
-                     .settings = {0, 2}});
     cases.push_back({.function = "tgPoissonBlur",
                      .body = blurBody("tgPoissonBlur"),
                      .arguments = blurArguments(),

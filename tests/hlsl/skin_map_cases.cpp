@@ -1,5 +1,5 @@
-// Passes that fill or spare maps (effects/passes/convolution.fxh, poisson.fxh, cull.fxh, reach.fxh) and those seen from the light
-// (shadow_map.fxh, planar_shadow.fxh).
+// Passes that fill or spare maps (effects/passes/convolution.fxh, poisson.fxh, cull.fxh) and those seen from the light (shadow_map.fxh,
+// planar_shadow.fxh).
 
 #include "tests/hlsl/skin_scene.h"
 
@@ -93,33 +93,12 @@ std::vector<FunctionCase> culling() {
                                 return values(x.corrected() || outside || away ? 1 : 0);
                             }));
     cases.back().settings = {0, 2};
-    for (const char* name : {"BlurNeedVS", "PrePass2ReachVS", "IrradianceVS"}) { // where the map has it; culled at depth 1
-        const double z = name[0] == 'P' ? 1 : 0;
-        cases.push_back(mapCase("Main.fx", name, "VertexInput v = (VertexInput)0; v.uv = a0; return " + std::string(name) + "(v).position;",
-                                {linear(0, 1, 2)},
-                                [=](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), z, 1); }));
-    }
+    cases.push_back(mapCase("Main.fx", "IrradianceVS", "VertexInput v = (VertexInput)0; v.uv = a0; return IrradianceVS(v).position;",
+                            {linear(0, 1, 2)}, // where the map has it
+                            [](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), 0, 1); }));
     cases.push_back(mapCase("Main.fx", "PrePass1VS",
                             "TgQuadInput v = (TgQuadInput)0; v.position = float3(a0, 0.5); return PrePass1VS(v).position;",
                             {linear(-1, 1, 2)}, [](const Inputs& x) { return values(x.scalar(0), x.scalar(0, 1), 1, 1); }));
-    // A texel is needed if it shows, or if light enters there: no more than 2 mm behind what the light sees first.
-    cases.push_back(
-        mapCase("Main.fx", "CullNeedPS",
-                "NeedVarying n = (NeedVarying)0; n.cull.clip = float4(a0, 0, 1); n.cull.normal = a1; n.cull.toEye = float3(0, 0, 9); "
-                "n.lightClip = float4(0, 0, 0.5, 1); n.toLight = float3(0, 0, a2); return float4(CullNeedPS(n).x, 0, 0, 0);",
-                {linear(-1.5, 1.5, 2), unit(), linear(145, 155)}, [](const Inputs& x) {
-                    const bool shows = std::max(std::abs(x.scalar(0)), std::abs(x.scalar(0, 1))) <= 1 && x.scalar(1, 2) >= -0.25;
-                    return values(shows || x.scalar(2) - 2 <= 150 ? 1 : 0);
-                }));
-    cases.back().maps["gTsmMap"] = oneTexel(150, 0, 0, 1);
-    cases.push_back(mapCase("Main.fx", "BlurNeedPS",
-                            "CullVarying c = (CullVarying)0; c.clip = float4(a0, 0, 1); c.normal = a1; c.toEye = float3(0, 0, 9); "
-                            "return float4(BlurNeedPS(c).x, 0, 0, 0);",
-                            {linear(-1.5, 1.5, 2), unit()}, [](const Inputs& x) {
-                                const bool shows =
-                                    std::max(std::abs(x.scalar(0)), std::abs(x.scalar(0, 1))) <= 1 && x.scalar(1, 2) >= -0.25;
-                                return values(shows ? 1 : 0);
-                            }));
     return cases;
 }
 
@@ -175,12 +154,6 @@ std::vector<FunctionCase> entryPoints() {
         cases.back().tolerance.why = "a tap of thirteen on the border of a texel may see either";
         cases.back().maps[map + "Map"] = lightOfMap(blur);
     }
-    const std::string cascade = "tgReachOfCascade(float4(0.08, 0.22, 0.432, 0.753), float2(1.411, 2.722)))";
-    const std::string blurs = "tgReachOfBlurs(1.7, 0.0))"; // gBlurCount, a whole number, stays 0
-    add("CullReachUPS", "CullReachUPS", "tgReachAlong(gCullTilesMap, gCullTiles, q.uv, float2(1.0, 0.0), " + cascade, needMap());
-    add("CullReachVPS", "CullReachVPS", "tgReachAlong(gCullReachUMap, gCullReachU, q.uv, float2(0.0, 1.0), " + cascade, needMap());
-    add("BlurReachUPS", "BlurReachUPS", "tgReachAlong(gCullTilesMap, gCullTiles, q.uv, float2(1.0, 0.0), " + blurs, needMap());
-    add("BlurReachVPS", "BlurReachVPS", "tgReachAlong(gCullReachUMap, gCullReachU, q.uv, float2(0.0, 1.0), " + blurs, needMap());
     return cases;
 }
 

@@ -1,11 +1,36 @@
 #include "tests/mesh/files.h"
 
+#include <cctype>
+
 using namespace tegument;
 using namespace tegument::testing_scene;
 
 namespace {
 
 using Off = SceneFiles;
+
+const std::string kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+using Stl = SceneFiles;
+
+constexpr std::string_view kFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+
+std::string text(int facets, std::string_view end = "endsolid thing\n") {
+    std::string bytes = "solid thing\n";
+    for (int i = 0; i < facets; ++i)
+        bytes += kFacet;
+    return bytes + std::string(end);
+}
+
+std::string binary(std::uint32_t announced, std::uint32_t facets, std::string start = {}) {
+    start.resize(80, ' ');
+    append(start, std::vector<std::uint32_t>{announced});
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        append(start, std::vector<float>{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
+        append(start, std::vector<std::uint16_t>{0});
+    }
+    return start;
+}
 
 } // namespace
 
@@ -64,12 +89,6 @@ TEST_F(Off, every_truncation_is_an_error) {
         EXPECT_FALSE(load("a.off", whole.substr(0, size))) << size;
 }
 
-namespace {
-
-const std::string kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-
-} // namespace
-
 TEST_F(Off, the_number_of_edges_may_be_absent_and_the_keyword_glued) {
     for (const std::string head : {"OFF\n4 2\n", "OFF4 2 0\n", "OFF 4 2\n", "OFF\n4 2\n0\n", "OFF\n4\n2 0 # edges are not counted\n"}) {
         const auto mesh = load("a.off", head + kPoints + "3 0 1 2\n3 0 2 3\n");
@@ -108,4 +127,116 @@ TEST_F(Off, colours_of_vertices_are_kept_where_they_are_named_and_told_where_not
 TEST_F(Off, binary_files_are_named_as_such) {
     const auto mesh = load("a.off", std::string("OFF BINARY\n\0\0\0\3", 15));
     ASSERT_EQ(codeOf(mesh), 5307);
+}
+
+TEST_F(Stl, text_and_binary_give_the_same_triangles) {
+    const auto a = load("a.stl", text(2));
+    const auto b = load("b.stl", binary(2, 2));
+    ASSERT_TRUE(a) << format(a.error());
+    ASSERT_TRUE(b) << format(b.error());
+    EXPECT_EQ(a->positions, b->positions);
+    EXPECT_EQ(a->indices, b->indices);
+    EXPECT_EQ(a->positions[1], glm::vec3(1, 0, 0));
+}
+
+TEST_F(Stl, a_binary_file_that_starts_with_solid_is_read_as_binary) {
+    const auto mesh = load("a.stl", binary(1, 1, "solid and yet binary"));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3u);
+}
+
+TEST_F(Stl, keywords_of_any_case_and_several_solids_are_read) {
+    const auto mesh = load("a.stl", "solid A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n"
+                                    "ENDSOLID A\n" +
+                                        text(1));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 6u);
+}
+
+TEST_F(Stl, bytes_behind_the_last_facet_do_no_harm) {
+    const auto mesh = load("a.stl", binary(1, 1) + "made by hand");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+}
+
+TEST_F(Stl, a_count_beyond_the_file_is_named_with_its_byte) {
+    const auto mesh = load("a.stl", binary(1000, 1));
+    ASSERT_EQ(codeOf(mesh), 5303);
+    EXPECT_EQ(mesh.error().diagnostics.front().at.byte, 80u);
+    EXPECT_NE(format(mesh.error()).find("1000 facets are announced, the file holds 1"), std::string::npos);
+}
+
+TEST_F(Stl, bad_text_is_one_error_with_its_line) {
+    const struct {
+        std::string text;
+        int code;
+        int line;
+    } cases[] = {
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nendloop\n", 5302, 6},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0,5\n", 5302, 5},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n", 5305, 4},
+        {"solid\nfacet direction 0 0 1\n", 5302, 2},
+        {"solid\nloop\n", 5302, 2},
+        {"solid\nendsolid\n", 5306, 0},
+    };
+    for (const auto& test : cases) {
+        const auto mesh = load("a.stl", test.text);
+        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
+        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
+    }
+}
+
+TEST_F(Stl, every_truncation_is_an_error) {
+    const std::string bytes = binary(2, 2);
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_FALSE(load("a.stl", bytes.substr(0, size))) << size;
+    const std::string whole = text(1);
+    const std::size_t facets = text(1, "").size();
+    for (std::size_t size = 0; size + sizeof(" thing\n") <= whole.size(); ++size) // "endsolid" alone is an end
+        if (size < facets - 1 || size > facets) {
+            EXPECT_FALSE(load("a.stl", whole.substr(0, size))) << size;
+        }
+}
+
+TEST_F(Stl, text_is_text_also_indented_in_capitals_or_behind_a_mark) {
+    for (const std::string& before : {std::string("  \n\t"), std::string("\xef\xbb\xbf"), std::string()}) {
+        std::string capitals = before + text(40);
+        for (char& letter : capitals)
+            letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+        for (const std::string& file : {before + text(40), capitals}) {
+            const auto mesh = load("a.stl", file);
+            ASSERT_TRUE(mesh) << format(mesh.error());
+            EXPECT_EQ(mesh->indices.size(), 120U);
+        }
+    }
+}
+
+TEST_F(Stl, a_binary_file_without_a_count_is_read_to_its_end_with_a_warning) {
+    for (const std::uint32_t unsaid : {0U, UINT32_MAX}) {
+        const auto mesh = load("a.stl", binary(unsaid, 3));
+        ASSERT_TRUE(mesh);
+        EXPECT_EQ(mesh->indices.size(), 9U);
+        ASSERT_FALSE(mesh->warnings.empty());
+        EXPECT_EQ(mesh->warnings.front().code, 5323);
+    }
+}
+
+TEST_F(Stl, ends_in_two_words_are_read) {
+    std::string spaced = text(3, "end solid thing\n");
+    for (std::size_t at = spaced.find("endloop"); at != std::string::npos; at = spaced.find("endloop"))
+        spaced.replace(at, 7, "end loop");
+    const auto mesh = load("a.stl", spaced);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 9U);
+    EXPECT_FALSE(hasWarning(*mesh, 5323));
+    EXPECT_EQ(codeOf(load("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nend facet\n")), 5302);
+}
+
+TEST_F(Stl, a_missing_end_behind_whole_facets_is_told) {
+    for (const int facets : {1, 2, 5}) {
+        const auto mesh = load("a.stl", text(facets, ""));
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        EXPECT_EQ(mesh->indices.size(), 3U * static_cast<unsigned>(facets));
+        EXPECT_TRUE(hasWarning(*mesh, 5323)) << "the file may have been longer";
+    }
+    EXPECT_EQ(codeOf(load("a.stl", text(0, ""))), 5301);
 }

@@ -2,7 +2,7 @@
 
 #include "lab/reference/edge_study.h"
 #include "lab/reference/peers.h"
-#include "lab/reference/quadrature.h"
+#include "lab/reference/radial.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "host/image/image.h"
 #include "host/run/ahead.h"
-#include "host/run/pause.h"
-#include "host/run/read_back.h"
+#include "host/run/pieces.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "host/support/file.h"
 #include "tests/run/fixture.h"

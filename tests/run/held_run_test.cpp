@@ -2,7 +2,7 @@
 // be.
 
 #include "host/run/pieces.h"
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
@@ -234,7 +234,7 @@ TEST_F(Held, sessions_that_share_have_the_same_bits_through_changes_of_all_kinds
         session_.swap(other);
         if (i % 5 == 4)
             other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}}, session_.get());
-        one.step(random, {"DEonLuebke", "Lambert", "GosselinCulled"});
+        one.step(random, {"DEonLuebke", "Lambert", "Gosselin"});
         RunOptions pieces = one.options;
         pieces.keepUnchanged = true;
         pieces.pieces.goOn = [left = std::make_shared<int>(1 + static_cast<int>(random() % 9))] { return --*left > 0; };
@@ -252,7 +252,7 @@ TEST_F(Held, main_has_the_same_bits_through_changes_of_all_kinds) {
         kept += names.empty() ? 1 : 0;
         EXPECT_TRUE(isAsDrawnAnew(change.workspace, change.options, change.passes)) << "step " << i;
     };
-    walk(check, {"DEonLuebke", "Lambert", "GosselinCulled"}, 7);
+    walk(check, {"DEonLuebke", "Lambert", "Gosselin"}, 7);
     EXPECT_GT(kept, 0U);
 }
 

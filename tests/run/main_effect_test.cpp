@@ -1,5 +1,9 @@
 // effects/Main.fx as a whole, on a small sphere: the whole way from the file to the picture.
+// effects/Pyramid.fx on a sphere: what its techniques draw of the same scene.
 
+#include "host/image/compare.h"
+#include "host/run/pixels.h"
+#include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
 #include "tests/spirv/missing.h"
@@ -34,28 +38,6 @@ protected:
         return renderView(closeUp(), {.technique = "Gosselin", .compiler = defaultCompiler(), .parameters = {{"gBlurCount", {count}}}});
     }
 };
-
-struct View {
-    const char* name;
-    glm::vec3 camera;
-    glm::vec3 target;
-    glm::vec3 light;
-};
-
-/// Whole, close, half out of the picture, almost out of it, from the side that the light does not reach, with the light behind.
-const std::vector<View> kViews = {
-    {"front", {0, 0, 5}, {0, 0, 0}, {3, 4, 5}},        {"close", {0.3F, 0.2F, 1.6F}, {0.2F, 0.1F, 0}, {3, 4, 5}},
-    {"half out", {0, 0, 3}, {1.2F, 0, 0}, {-3, 2, 5}}, {"almost out", {0, 0, 3}, {1.2F, 1.4F, 0}, {3, 4, 5}},
-    {"dark side", {-4, -1, -3}, {0, 0, 0}, {3, 4, 5}}, {"inside", {0.2F, 0, 0.9F}, {1, 0, 0}, {3, 4, 5}},
-    {"light behind", {0, 1, 5}, {0, 0, 0}, {0, 1, -6}}};
-
-Workspace workspaceOf(const View& view) {
-    Workspace workspace = closeUp();
-    workspace.camera.position = view.camera;
-    workspace.camera.target = view.target;
-    workspace.light.position = view.light;
-    return workspace;
-}
 
 std::vector<std::string> passNames(const RunResult& result) {
     std::vector<std::string> names;
@@ -118,38 +100,15 @@ TEST_F(MainEffect, every_target_can_be_read_and_is_finite) {
         }
 }
 
-TEST_F(MainEffect, culling_leaves_every_pixel_of_every_view_as_it_is) {
-    for (const std::string technique : {"DEonLuebke", "Gosselin"})
-        for (const View& view : kViews) {
-            const auto all = renderView(workspaceOf(view), {.technique = technique, .compiler = defaultCompiler()});
-            const auto culled = renderView(workspaceOf(view), {.technique = technique + "Culled", .compiler = defaultCompiler()});
-            ASSERT_TRUE(succeeded(all));
-            ASSERT_TRUE(succeeded(culled));
-            EXPECT_EQ(all->image.pixels, culled->image.pixels) << technique << ", " << view.name;
-        }
-}
-
-/// Share of the texels of the irradiance map that the technique has lit.
-double litShare(const RunResult& result) {
-    const Image& map = result.dumped.at("gIrradianceMap");
-    int lit = 0;
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x)
-            lit += map.at(x, y, 3) < 0.995F;
-    return lit / (static_cast<double>(map.width) * map.height);
-}
-
-TEST_F(MainEffect, culling_spares_texels_that_neither_show_nor_pass_light_on) {
-    Workspace view = closeUp();
-    view.light.position = view.camera.position;
+TEST_F(MainEffect, the_name_of_a_technique_that_is_gone_draws_the_one_in_its_place) {
     for (const std::string technique : {"DEonLuebke", "Gosselin"}) {
-        const RunOptions whole{.technique = technique, .compiler = defaultCompiler(), .dump = {"gIrradianceMap"}};
-        const RunOptions sparing{.technique = technique + "Culled", .compiler = defaultCompiler(), .dump = {"gIrradianceMap"}};
-        const auto all = renderView(view, whole, "2", 512);
-        const auto culled = renderView(view, sparing, "2", 512);
-        ASSERT_TRUE(succeeded(all));
-        ASSERT_TRUE(succeeded(culled));
-        EXPECT_LT(litShare(*culled), 0.9 * litShare(*all)) << technique; // the sphere is small against the reach
+        const auto now = render(defaultCompiler(), "2", technique);
+        const auto before = render(defaultCompiler(), "2", technique + "Culled");
+        ASSERT_TRUE(succeeded(now));
+        ASSERT_TRUE(succeeded(before));
+        EXPECT_EQ(before->image.pixels, now->image.pixels) << technique;
+        EXPECT_EQ(std::ranges::count(before->warnings, 4082, &Diagnostic::code), 1);
+        EXPECT_EQ(std::ranges::count(now->warnings, 4082, &Diagnostic::code), 0);
     }
 }
 
@@ -212,6 +171,78 @@ TEST_F(MainEffect, a_radius_of_zero_leaves_the_light_unblurred) {
                         << setting << " " << x << " " << y;
     }
 }
+
+class PyramidRun : public Run, public testing::WithParamInterface<Compiler> {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        if (const std::string missing = compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
+    }
+
+    Result<RunResult> draw(const std::string& technique, int mapSize, double coarse, int samples = 1) {
+        const auto effect =
+            loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}, .includeFolders = {}});
+        if (!effect) return effect.error();
+        const Mesh mesh = sphere();
+        return runEffect(*device_, *effect, &mesh, closeUp(),
+                         {.technique = technique,
+                          .width = 96,
+                          .height = 96,
+                          .samples = samples,
+                          .compiler = GetParam(),
+                          .parameters = {{"gCoarseLevels", {coarse}}},
+                          .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}});
+    }
+};
+
+// The computed one takes mesh normals and tangents from maps of half floats, and filters its maps as wide along u as along v.
+TEST_P(PyramidRun, the_computed_picture_is_the_drawn_one) {
+    for (const auto& [mapSize, coarse] : {std::pair(128, 1), std::pair(512, 0), std::pair(1024, 0)}) {
+        const auto drawn = draw("PyramidLinked", mapSize, coarse);
+        const auto computed = draw("PyramidCompute", mapSize, coarse);
+        ASSERT_TRUE(succeeded(drawn) && succeeded(computed));
+        const auto difference = compareImages(computed->image, drawn->image);
+        ASSERT_TRUE(succeeded(difference));
+        EXPECT_LT(difference->relativeL2, 2e-3) << mapSize;
+        EXPECT_GT(drawn->image.at(48, 48, 0), 0.05F) << "there is something to see";
+    }
+}
+
+TEST_P(PyramidRun, the_computed_picture_has_one_sample_a_pixel) {
+    EXPECT_EQ(code(draw("PyramidCompute", 128, 1, 4)), 4039);
+}
+
+TEST_P(PyramidRun, under_light_that_stands_still_the_light_of_the_picture_before_serves_another_camera) {
+    const auto effect = loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    ASSERT_TRUE(succeeded(effect));
+    const Mesh mesh = sphere();
+    Workspace moved = closeUp();
+    moved.camera.position += glm::vec3(0.4F, 0.2F, 0.3F);
+    for (const char* technique : {"Pyramid", "PyramidLinked", "PyramidCompute"}) {
+        const auto options = [&](double relight) {
+            return RunOptions{.technique = technique,
+                              .width = 96,
+                              .height = 96,
+                              .compiler = GetParam(),
+                              .parameters = {{"gRelight", {relight}}},
+                              .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}};
+        };
+        EffectSession session(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+        ASSERT_TRUE(succeeded(session.draw(closeUp(), options(1))));
+        const auto rest = session.draw(moved, options(0));
+        ASSERT_TRUE(succeeded(rest));
+        EXPECT_LE(rest->passes.size(), 2U) << technique;
+        EXPECT_TRUE(std::ranges::none_of(rest->warnings, [](const Diagnostic& warning) { return warning.code == 4026; })) << technique;
+        const auto kept = run::readBack(*device_, *session.target(""));
+        ASSERT_TRUE(succeeded(session.draw(moved, options(1))));
+        const auto anew = run::readBack(*device_, *session.target(""));
+        ASSERT_TRUE(succeeded(kept) && succeeded(anew));
+        EXPECT_EQ(kept->pixels, anew->pixels) << technique;
+        EXPECT_GT(*std::ranges::max_element(anew->pixels), 0.05F) << "there is something to see";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Compilers, PyramidRun, testing::Values(Compiler::Dxc, Compiler::Glslang), compilerTestName);
 
 } // namespace
 } // namespace tegument::test

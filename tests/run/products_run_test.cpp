@@ -1,6 +1,6 @@
 // Textures that other effects draw: what is drawn when, from what, and what is said when it cannot be.
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 

@@ -17,8 +17,7 @@ struct Picture {
     const char* technique;
 };
 
-const std::vector<Picture> kPictures = {{"Main.fx", "DEonLuebke"},       {"Main.fx", "DEonLuebkeCulled"},
-                                        {"Main.fx", "Gosselin"},         {"Main.fx", "GosselinCulled"},
+const std::vector<Picture> kPictures = {{"Main.fx", "DEonLuebke"},       {"Main.fx", "Gosselin"},
                                         {"Main.fx", "Lambert"},          {"Specular.fx", "Specular"},
                                         {"Irradiance.fx", "Irradiance"}, {"TSM.fx", "TSM"},
                                         {"ShadowMap.fx", "ShadowMap"},   {"ShadowMap.fx", "Shadow"},

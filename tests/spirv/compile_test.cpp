@@ -1,8 +1,13 @@
-#include "tests/spirv/support.h"
+// Shaders of other hosts' effects are compiled by DXC in a process of its own.
 
+#include "host/spirv/compile.h"
+#include "host/spirv/messages.h"
 #include "host/spirv/reflect.h"
 #include "host/support/file.h"
+#include "tests/spirv/missing.h"
+#include "tests/spirv/support.h"
 
+#include <gtest/gtest.h>
 #include <spirv_cross/spirv_cross.hpp>
 
 #include <set>
@@ -264,6 +269,100 @@ TEST(Compilers, glslang_is_always_there_and_dxc_comes_first_when_it_is) {
     EXPECT_TRUE(compilerAvailable(Compiler::Glslang));
     EXPECT_EQ(defaultCompiler(), compilerAvailable(Compiler::Dxc) ? Compiler::Dxc : Compiler::Glslang);
     EXPECT_TRUE(compilerName(Compiler::Glslang).starts_with("glslang 1"));
+}
+
+ShaderRequest foreignPixel(std::string_view code) {
+    return {
+        .code = code, .file = "main.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {}, .language2018 = true};
+}
+
+TEST(ForeignCode, that_dxc_does_not_survive_is_an_error_with_its_place) {
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
+    const auto crashed = compileShader(
+        foreignPixel("float a;\n#line 12 \"lamps.fxh\"\nfloat4 PS() : SV_Target { VertexShader v[2] = 1; return 1; }\n"), Compiler::Dxc);
+    ASSERT_FALSE(crashed);
+    const Diagnostic& first = crashed.error().diagnostics.front();
+    EXPECT_EQ(first.code, 3008) << format(crashed.error());
+    EXPECT_EQ(first.at.file, "lamps.fxh");
+    EXPECT_EQ(first.at.line, 12);
+    EXPECT_NE(first.text.find("while it compiled PS"), std::string::npos) << first.text;
+}
+
+TEST(ForeignCode, compiles_after_a_crash_and_says_what_is_wrong_as_ever) {
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
+    const auto crashed = compileShader(foreignPixel("float4 PS() : SV_Target { VertexShader v[2] = 1; return 2; }\n"), Compiler::Dxc);
+    EXPECT_FALSE(crashed);
+    const auto good = compileShader(foreignPixel("float4 tint;\nfloat4 PS() : SV_Target { return tint; }\n"), Compiler::Dxc);
+    ASSERT_TRUE(good) << format(good.error());
+    ASSERT_TRUE(good->reflection.globals);
+    EXPECT_EQ(good->reflection.globals->members.front().name, "tint");
+    const auto wrong = compileShader(foreignPixel("\n\nfloat4 PS() : SV_Target { return nowhere; }\n"), Compiler::Dxc);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().diagnostics.front().code, 3001);
+    EXPECT_EQ(wrong.error().diagnostics.front().at.line, 3);
+}
+
+constexpr std::string_view kCode = "#line 1 \"a b/skin.fx\"\nfirst\nsecond line\n#line 7 \"other.fxh\"\nseventh here\n";
+
+TEST(SourceLine, follows_line_directives) {
+    EXPECT_EQ(sourceLine(kCode, "a b/skin.fx", 2), "second line");
+    EXPECT_EQ(sourceLine(kCode, "other.fxh", 7), "seventh here");
+    EXPECT_EQ(sourceLine(kCode, "other.fxh", 2), "");
+    EXPECT_EQ(sourceLine(kCode, "nowhere.fx", 1), "");
+}
+
+TEST(DxcMessages, an_error_has_file_line_column_and_the_source_line) {
+    const Messages messages =
+        readDxcMessages("a b/skin.fx:2:8: error: use of undeclared identifier 'line'\nsecond line\n       ^\n", kCode, "skin.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(format(messages.errors[0]),
+              "a b/skin.fx(2,8): error TG3001: use of undeclared identifier 'line'\n    second line\n           ^");
+    EXPECT_TRUE(messages.warnings.empty());
+}
+
+TEST(DxcMessages, the_warning_that_default_values_are_ignored_is_left_out) {
+    const Messages messages = readDxcMessages("s.fx:3:7: warning: variable 'gWorld' will be placed in $Globals so initializer ignored\n"
+                                              "s.fx:4:9: warning: implicit truncation of vector type\n",
+                                              kCode, "s.fx");
+    ASSERT_EQ(messages.warnings.size(), 1U);
+    EXPECT_EQ(messages.warnings[0].text, "implicit truncation of vector type");
+    EXPECT_EQ(messages.warnings[0].code, 3007);
+}
+
+TEST(DxcMessages, an_error_without_place_is_one_of_the_file) {
+    const Messages messages = readDxcMessages("fatal error: failed to optimize SPIR-V: something\n", kCode, "skin.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(format(messages.errors[0]), "skin.fx: error TG3001: failed to optimize SPIR-V: something");
+}
+
+TEST(GlslangMessages, the_token_gives_the_column) {
+    const Messages messages = readGlslangMessages(
+        "ERROR: a b/skin.fx:2: 'line' : unknown variable \nERROR: 1 compilation errors.  No code generated.\n", kCode, "skin.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(format(messages.errors[0]), "a b/skin.fx(2,8): error TG3001: unknown variable 'line'\n    second line\n           ^");
+}
+
+TEST(GlslangMessages, a_token_that_is_part_of_a_word_is_not_meant) {
+    const Messages messages = readGlslangMessages("ERROR: x.fx:1: 'n' : bad\n", "#line 1 \"x.fx\"\n  min(n)\n", "x.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(messages.errors[0].at.column, 7);
+}
+
+TEST(Shortened, repeated_messages_are_shown_once) {
+    const Diagnostic one{
+        .code = 3001, .at = {.file = "x.fx", .line = 1, .column = 2, .byte = {}}, .text = "same", .hint = {}, .sourceLine = {}};
+    EXPECT_EQ(shortened({one, one, one}).size(), 1U);
+}
+
+TEST(Shortened, the_rest_is_counted) {
+    std::vector<Diagnostic> many;
+    for (int i = 1; i <= 50; ++i)
+        many.push_back(
+            {.code = 3001, .at = {.file = "x.fx", .line = i, .column = 1, .byte = {}}, .text = "bad", .hint = {}, .sourceLine = {}});
+    const auto shown = shortened(many);
+    ASSERT_EQ(shown.size(), kShownMessages + 1);
+    EXPECT_EQ(shown.back().text, "and 30 more");
+    EXPECT_EQ(shown.back().severity, Severity::Note);
 }
 
 } // namespace

@@ -1,14 +1,19 @@
+
 #include "host/support/file.h"
+#include "host/support/result.h"
+#include "host/support/temporary.h"
+#include "host/support/text.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <string>
 #include <thread>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 using namespace tegument;
 namespace fs = std::filesystem;
@@ -23,6 +28,15 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder_); }
     fs::path folder_;
+};
+
+class Temporaries : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(writeFile(file_, "before")); }
+    void TearDown() override { fs::remove_all(folder_); }
+    [[nodiscard]] std::string content() const { return *readFile(file_); }
+    const fs::path folder_ = fs::temp_directory_path() / ("tegument-temporaries-" + std::to_string(::getpid()));
+    const fs::path file_ = folder_ / "x";
 };
 
 } // namespace
@@ -148,4 +162,120 @@ TEST(CacheFolder, follows_the_three_variables_in_order) {
     EXPECT_EQ(cacheFolder(), "/h/.cache/tegument");
     for (const auto& [name, value] : old)
         value.empty() ? unsetenv(name) : setenv(name, value.c_str(), 1);
+}
+
+TEST_F(Temporaries, a_borrowed_file_gets_its_content_back) {
+    {
+        const Borrowed borrowed(file_, "before");
+        ASSERT_TRUE(borrowed.change("while it is borrowed"));
+        EXPECT_EQ(content(), "while it is borrowed");
+        EXPECT_EQ(borrowed.content(), "before");
+    }
+    EXPECT_EQ(content(), "before");
+}
+
+TEST_F(Temporaries, a_borrowed_file_that_is_as_it_was_is_not_written) {
+    const auto then = fs::last_write_time(file_) - std::chrono::hours(1);
+    fs::last_write_time(file_, then);
+    { const Borrowed borrowed(file_, "before"); }
+    EXPECT_EQ(fs::last_write_time(file_), then);
+}
+
+/// In a process of its own, which then may make no temporary file any more.
+TEST_F(Temporaries, a_program_that_is_interrupted_removes_its_files_and_gives_back_what_it_borrowed) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const Temporary gone(folder_ / "gone");
+        const Borrowed borrowed(file_, "before");
+        const bool made = writeFile(gone.path() / "y", "1") && borrowed.change("while it is borrowed");
+        removeTemporaries();
+        ::_exit(made && !fs::exists(gone.path()) ? 0 : 1);
+    }
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(content(), "before");
+}
+
+TEST(Text, comparison_ignores_case_only) {
+    EXPECT_TRUE(equalsIgnoreCase("ViewPortRatio", "viewportratio"));
+    EXPECT_FALSE(equalsIgnoreCase("Format", "Formats"));
+    EXPECT_TRUE(equalsIgnoreCase("", ""));
+}
+
+TEST(Text, trim_removes_white_space_at_both_ends) {
+    EXPECT_EQ(trim(" \t a b \r\n"), "a b");
+    EXPECT_EQ(trim(" \n"), "");
+}
+
+TEST(Text, nearest_name_forgives_a_third_of_the_letters) {
+    const std::vector<std::string> names = {"RenderColorTarget", "RenderDepthStencilTarget", "Clear"};
+    EXPECT_EQ(nearestName("RenderColourTarget", names), "RenderColorTarget");
+    EXPECT_EQ(nearestName("claer", names), "Clear");
+    EXPECT_EQ(nearestName("Draw", names), "");
+    EXPECT_EQ(nearestName("", names), "");
+}
+
+TEST(Text, hint_is_a_question_or_nothing) {
+    const std::vector<std::string> names = {"gMix"};
+    EXPECT_EQ(didYouMean("gmix", names), "did you mean 'gMix'?");
+    EXPECT_EQ(didYouMean("unrelated", names), "");
+}
+
+TEST(Text, words_of_a_command_line_come_back_as_they_were) {
+    EXPECT_EQ(shellWord("scans/head_1.obj"), "scans/head_1.obj");
+    EXPECT_EQ(shellWord("my scan (2).obj"), "'my scan (2).obj'");
+    EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
+    EXPECT_EQ(shellWord(""), "''");
+}
+
+TEST(Diagnostics, carry_file_line_column_code_and_hint) {
+    const Diagnostic diagnostic{.code = 2004,
+                                .at = {.file = "effects/Main.fx", .line = 41, .column = 12, .byte = {}},
+                                .text = "unknown script command 'RenderColourTarget'",
+                                .hint = "did you mean 'RenderColorTarget'?",
+                                .sourceLine = {}};
+    EXPECT_EQ(format(diagnostic),
+              "effects/Main.fx(41,12): error TG2004: unknown script command 'RenderColourTarget'; did you mean 'RenderColorTarget'?");
+}
+
+TEST(Diagnostics, put_the_caret_under_the_column_whatever_the_tab_width) {
+    const Diagnostic diagnostic{.severity = Severity::Warning,
+                                .code = 1,
+                                .at = {.file = "a.fx", .line = 2, .column = 4, .byte = {}},
+                                .text = "x",
+                                .hint = {},
+                                .sourceLine = "\tab cd"};
+    EXPECT_EQ(format(diagnostic), "a.fx(2,4): warning TG0001: x\n    \tab cd\n    \t  ^");
+}
+
+TEST(Diagnostics, print_no_bytes_that_a_terminal_would_obey) {
+    Diagnostic diagnostic{.code = 1101,
+                          .at = {.file = "a.fx", .line = 1, .column = 9, .byte = {}},
+                          .text = "found '\x1b[31m'",
+                          .hint = "\xe4\xff \xc0\xaf",
+                          .sourceLine = "fl\xc3\xb6\x07\x7f\x80 x"};
+    EXPECT_EQ(format(diagnostic), "a.fx(1,9): error TG1101: found '?[31m'; ?? ??\n    fl\xc3\xb6??? x\n            ^")
+        << "one question mark for each, so that the caret keeps its column; UTF-8 stays";
+}
+
+TEST(Diagnostics, name_the_byte_in_binary_files) {
+    EXPECT_EQ(format(inputError(5100, {.file = "head.glb", .byte = 12}, "ends early")), "head.glb(byte 12): error TG5100: ends early");
+}
+
+TEST(Diagnostics, of_the_machine_name_the_program) {
+    const Error error = machineError(6001, "no Vulkan device");
+    EXPECT_EQ(format(error), "tegument: error TG6001: no Vulkan device");
+    EXPECT_EQ(static_cast<int>(error.blame), 3);
+}
+
+TEST(Results, hold_either_a_value_or_an_error) {
+    const Result<int> value = 7;
+    const Result<int> failed = usageError(8000, "no");
+    ASSERT_TRUE(value);
+    EXPECT_EQ(*value, 7);
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().blame, Blame::Usage);
+    EXPECT_TRUE(Result<void>());
+    EXPECT_FALSE(Result<void>(usageError(8000, "no")));
 }

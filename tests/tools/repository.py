@@ -160,7 +160,7 @@ def the_host_serves_every_effect_alike(root):
         for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
             for match in re.finditer(words, line):
                 yield f"{path}:{number}: {match[0]}"
-    known = set(re.findall(r'\{"(\w+)", k(?:Text|Number)', text_of(root / "host" / "effect" / "check.cpp")))
+    known = set(re.findall(r'\{"(\w+)", k(?:Text|Number)', text_of(root / "host" / "effect" / "load.cpp")))
     families = {}
     for path in files(root / "effects", SOURCES):
         for name in re.findall(r"\b(?:string|float\d?|int|bool) (\w+) =", text_of(path)):
@@ -168,7 +168,7 @@ def the_host_serves_every_effect_alike(root):
     general = {"Part", "Viewport"}  # a submesh; the size that a compute pass is for
     for name in sorted(known - general):
         if families.get(name) == {"strands"}:
-            yield f"host/effect/check.cpp: the annotation {name} is of effects that draw strands alone"
+            yield f"host/effect/load.cpp: the annotation {name} is of effects that draw strands alone"
 
 
 def some_libraries_are_known_to_one_room(root):

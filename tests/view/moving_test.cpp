@@ -1,6 +1,6 @@
 // How small a picture gets while something moves, what stays under the cursor, and what a session takes over from the one before an edit.
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tools/view/sharpness.h"

@@ -1,6 +1,6 @@
 // What the viewer does without a window: camera and light, watched files, steps through passes and targets, how targets are shown.
 
-#include "host/run/scene_bounds.h"
+#include "host/run/semantics.h"
 #include "tools/view/keys.h"
 #include "tools/view/layout.h"
 #include "tools/view/levels.h"

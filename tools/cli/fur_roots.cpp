@@ -5,8 +5,8 @@
 #include "host/image/dds.h"
 #include "host/support/file.h"
 #include "meshprep/assets/names.h"
+#include "meshprep/fur/roots/root_maps.h"
 #include "meshprep/fur/roots/root_picture.h"
-#include "meshprep/fur/roots/vertex_maps.h"
 #include "tools/cli/command_line.h"
 
 #include <fmt/format.h>

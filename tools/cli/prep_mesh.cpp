@@ -7,18 +7,299 @@
 #include "host/support/text.h"
 #include "meshprep/assets/names.h"
 #include "meshprep/prepare/manifold_levels.h"
+#include "meshprep/prepare/prepare.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/prep_page.h"
-#include "tools/cli/prep_report.h"
+#include "tools/cli/output.h"
+#include "tools/cli/report_options.h"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <set>
 
 namespace tegument::app {
 
 namespace {
+
+Json countJson(const prep::Count& count) {
+    return {{"vertices", count.vertices}, {"faces", count.faces}};
+}
+
+Json beforeAfter(double before, double after) {
+    return {{"before", before}, {"after", after}};
+}
+
+Json sizeJson(const prep::SizeFigures& size) {
+    return {{"before", size.before},
+            {"after", size.after},
+            {"vertex_bytes", size.vertexBytes},
+            {"index_bytes", size.indexBytes},
+            {"reduction", size.reduction()}};
+}
+
+Json topologyJson(const prep::Topology& t) {
+    return {{"components", t.components},
+            {"boundary_edges", t.boundaryEdges},
+            {"crowded_edges", t.crowdedEdges},
+            {"opposed_edges", t.opposedEdges},
+            {"bow_ties", t.bowTies},
+            {"back_to_back_pairs", t.backToBackPairs},
+            {"flat_triangles", t.flatTriangles}};
+}
+
+Json mappingJson(const std::vector<prep::MappingFigures>& mapping) {
+    Json list = Json::array();
+    for (const prep::MappingFigures& m : mapping) {
+        list.push_back({{"name", m.name},
+                        {"cv_face", m.cvFace},
+                        {"cv_patch", m.cvPatch},
+                        {"density", {{"p1", m.density1}, {"p50", m.density50}, {"p99", m.density99}}},
+                        {"anisotropy", {{"p50", m.anisotropy50}, {"p95", m.anisotropy95}}},
+                        {"starved", m.starved},
+                        {"mirrored", m.mirrored},
+                        {"one_texel", m.oneTexel},
+                        {"seam_length", m.seamLength}});
+        if (m.seamJumpTexels) list.back()["seam_jump_texels"] = *m.seamJumpTexels;
+    }
+    return list;
+}
+
+Json rootMappingJson(const std::vector<prep::RootMapping>& mapping) {
+    Json list = Json::array();
+    for (const prep::RootMapping& m : mapping)
+        list.push_back({{"name", m.name},
+                        {"strands", m.count},
+                        {"cv_patch", m.cvPatch},
+                        {"cv_independent", m.poissonCv},
+                        {"starved", m.starved},
+                        {"largest_gap_spacings", m.largestGap},
+                        {"seam_length", m.seamLength}});
+    return list;
+}
+
+void printRootMapping(const std::vector<prep::RootMapping>& mapping) {
+    std::vector<std::vector<std::string>> rows;
+    for (const prep::RootMapping& m : mapping)
+        rows.push_back({m.name, fmt::format("{}", m.count), fmt::format("{:.3f}", m.cvPatch), fmt::format("{:.3f}", m.poissonCv),
+                        fmt::format("{:.2f} %", 100 * m.starved), fmt::format("{:.2f}", m.largestGap),
+                        fmt::format("{:.2f}", m.seamLength)});
+    fmt::print("{}\n", table({"by rest position", "strands", "CV patches", "independent", "starved", "largest gap", "seam"}, rows));
+}
+
+void printMapping(const std::vector<prep::MappingFigures>& mapping) {
+    std::vector<std::vector<std::string>> rows;
+    for (const prep::MappingFigures& m : mapping)
+        rows.push_back({m.name, fmt::format("{:.2f}", m.cvFace), fmt::format("{:.2f}", m.cvPatch), fmt::format("{:.2f}", m.anisotropy50),
+                        fmt::format("{:.1f}", m.anisotropy95), fmt::format("{:.1f} %", 100 * m.starved),
+                        fmt::format("{:.1f} %", 100 * m.mirrored), fmt::format("{:.1f} %", 100 * m.oneTexel),
+                        fmt::format("{:.2f}", m.seamLength)});
+    fmt::print("{}\n", table({"mapping", "CV faces", "CV patches", "anisotropy", "p95", "starved", "mirrored", "one texel", "seam"}, rows));
+}
+
+/// `output` is empty when nothing was written.
+Json reportJson(const prep::PrepReport& report, const std::string& input, const std::string& output) {
+    Json json{{"input", countJson(report.input)}, {"steps", Json::array()}, {"output", countJson(report.output)}};
+    json["input"]["file"] = input;
+    json["output"]["file"] = output.empty() ? Json(nullptr) : Json(output);
+    for (const prep::PrepStep& step : report.steps)
+        json["steps"].push_back({{"name", step.name}, {"changed", step.changed}, {"text", step.text}, {"seconds", step.seconds}});
+    for (const prep::CacheComparison& c : report.cache) {
+        json["acmr"][std::string(c.model.name)] = beforeAfter(c.before.acmr(), c.after.acmr());
+        json["atvr"][std::string(c.model.name)] = beforeAfter(c.before.atvr(), c.after.atvr());
+    }
+    json["bytes"] = sizeJson(report.bytes);
+    json["bytes_seed"] = sizeJson(report.seedBytes);
+    const auto list = [](const glm::dvec3& v) -> Json { return {v.x, v.y, v.z}; };
+    json["centre"] = {{"moved", list(report.centring.moved)},
+                      {"place", list(report.centring.place)},
+                      {"radius", report.centring.radius},
+                      {"minimal_radius", report.centring.minimalRadius}};
+    json["places"] = {{"joined", report.places.joined}, {"cracks", report.places.cracks}, {"crack_width_mm", report.places.crackWidth}};
+    if (!report.mapping.empty()) json["mapping"] = mappingJson(report.mapping);
+    if (!report.rootMapping.empty()) json["mapping_roots"] = rootMappingJson(report.rootMapping);
+    json["topology"] = topologyJson(report.topology);
+    json["levels"] = Json::array();
+    for (const prep::LevelFigures& level : report.levels)
+        json["levels"].push_back({{"faces", level.triangles},
+                                  {"error_mm", told(level.error)},
+                                  {"error_at_most_mm", level.error.greatest},
+                                  {"rms_mm", level.error.rms}});
+    if (report.overdraw) json["overdraw"] = beforeAfter(report.overdraw->before, report.overdraw->after);
+    json["precision"] = {
+        {"position_mm", report.precision.positionMm}, {"normal_degrees", report.precision.normalDegrees}, {"uv", report.precision.uv}};
+    json["chunks"] = {{"count", report.chunks.count}, {"duplicates", report.chunks.duplicates}};
+    json["warnings"] = toJson(report.warnings);
+    return json;
+}
+
+void printReport(const prep::PrepReport& report) {
+    std::vector<std::vector<std::string>> rows;
+    for (const prep::PrepStep& step : report.steps)
+        fmt::print("{:<14}{}\n", step.name, step.text);
+    for (const prep::CacheComparison& c : report.cache)
+        rows.push_back({std::string(c.model.name), fmt::format("{:.3f}", c.before.acmr()), fmt::format("{:.3f}", c.after.acmr()),
+                        fmt::format("{:.3f}", c.before.atvr()), fmt::format("{:.3f}", c.after.atvr())});
+    if (!report.mapping.empty()) printMapping(report.mapping);
+    if (!report.rootMapping.empty()) printRootMapping(report.rootMapping);
+    if (report.output.faces > 0) fmt::print("\n{}\n", table({"cache", "ACMR before", "after", "ATVR before", "after"}, rows));
+    const double less = 100 * report.bytes.reduction(); // a few triangles that share no vertex have indices on top
+    fmt::print(
+        "{} vertices, {} triangles; {} bytes with {}-byte vertices and {}-byte indices, {:.2f} % {} than {} triangles on their own\n",
+        report.output.vertices, report.output.faces, report.bytes.after, report.bytes.vertexBytes, report.bytes.indexBytes, std::abs(less),
+        less < 0 ? "more" : "less", report.output.faces);
+}
+
+std::string integerAt(const Json& json, const char* place) {
+    return fmt::format("{:.0f}", numberAt(json, place).value_or(0));
+}
+
+Json steps(const Json& run) {
+    Json rows = Json::array();
+    for (const Json& step : valueAt(run, "/steps"))
+        rows.push_back({textAt(step, "/name"), valueAt(step, "/changed"), textAt(step, "/text"), valueAt(step, "/seconds")});
+    return report::table("Steps", "What each step changed, in their order.",
+                         {{"step"}, {"changed", "number", "faces, vertices or places"}, {"what"}, {"seconds", "number"}}, std::move(rows));
+}
+
+Json timeline(const Json& run) {
+    Json parts = Json::array();
+    for (const Json& step : valueAt(run, "/steps"))
+        parts.push_back({{"name", textAt(step, "/name")}, {"value", numberAt(step, "/seconds").value_or(0)}});
+    Json rows = Json::array();
+    if (!parts.empty()) rows.push_back({{"name", textAt(run, "/input/file")}, {"parts", std::move(parts)}});
+    return {{"kind", "timeline"},
+            {"title", "Where the time went"},
+            {"note", "Open the row for its figures."},
+            {"unit", "s"},
+            {"rows", std::move(rows)}};
+}
+
+void addBeforeAfter(Json& rows, const std::string& what, const Json& pair) {
+    const auto before = numberAt(pair, "/before");
+    const auto after = numberAt(pair, "/after");
+    if (before && after) rows.push_back({what, *before, *after, *before != 0 ? Json(100 * (*after / *before - 1)) : Json(nullptr)});
+}
+
+Json beforeAfter(const Json& run) {
+    Json rows = Json::array();
+    for (const char* corner : {"vertices", "faces"})
+        addBeforeAfter(rows, corner,
+                       {{"before", valueAt(run, (std::string("/input/") + corner).c_str())},
+                        {"after", valueAt(run, (std::string("/output/") + corner).c_str())}});
+    addBeforeAfter(rows, "bytes of vertices and indices", valueAt(run, "/bytes"));
+    for (const auto& [place, name] :
+         {std::pair{"/acmr", "vertices shaded per triangle (ACMR)"}, {"/atvr", "vertices shaded per vertex (ATVR)"}}) {
+        const Json models = valueAt(run, place);
+        for (const auto& [model, pair] : models.items())
+            addBeforeAfter(rows, fmt::format("{}, {}", name, model), pair);
+    }
+    addBeforeAfter(rows, "overdraw", valueAt(run, "/overdraw"));
+    return report::table("Before and after", "Less is better; ACMR and ATVR are of a cache of the named kind.",
+                         {{"figure"}, {"before", "number"}, {"after", "number"}, {"change, %", "number"}}, std::move(rows));
+}
+
+/// The full mesh has no error: it has no place on a logarithmic scale.
+Json levels(const Json& run) {
+    Json points = Json::array();
+    int number = 1;
+    for (const Json& level : valueAt(run, "/levels"))
+        points.push_back(
+            {{"name", fmt::format("level {}", number++)},
+             {"group", "levels of detail"},
+             {"mark", "level"},
+             {"facets", Json::object()},
+             {"values",
+              {{"faces", valueAt(level, "/faces")}, {"greatest", valueAt(level, "/error_mm")}, {"rms", valueAt(level, "/rms_mm")}}}});
+    return {{"kind", "scatter"},
+            {"title", "Levels of detail"},
+            {"note", "How far each coarser level lies from the full mesh."},
+            {"axes",
+             {{"x", {{{"key", "faces"}, {"title", "triangles"}}}},
+              {"y", {{{"key", "greatest"}, {"title", "greatest distance, mm"}}, {{"key", "rms"}, {"title", "root mean square, mm"}}}}}},
+            {"points", std::move(points)}};
+}
+
+Json topology(const Json& run) {
+    constexpr std::array kRows = {std::array{"components", "parts that no edge joins"},
+                                  std::array{"boundary_edges", "edges with a triangle on one side only: holes and rims"},
+                                  std::array{"crowded_edges", "edges of more than two triangles"},
+                                  std::array{"opposed_edges", "edges whose triangles face opposite ways"},
+                                  std::array{"bow_ties", "places where surfaces touch in one point"},
+                                  std::array{"back_to_back_pairs", "triangles that lie on each other, facing away"},
+                                  std::array{"flat_triangles", "triangles without area"}};
+    Json rows = Json::array();
+    for (const auto& [key, meaning] : kRows)
+        rows.push_back({std::string(key), valueAt(run, (std::string("/topology/") + key).c_str()), meaning});
+    return report::table("Topology of what is written", {}, {{"figure"}, {"count", "number"}, {"what it is"}}, std::move(rows));
+}
+
+Json mapping(const Json& run) {
+    Json rows = Json::array();
+    const Json list = valueAt(run, "/mapping");
+    for (const Json& one : list)
+        rows.push_back({textAt(one, "/name"), valueAt(one, "/cv_face"), valueAt(one, "/cv_patch"), valueAt(one, "/anisotropy/p50"),
+                        valueAt(one, "/anisotropy/p95"), valueAt(one, "/starved"), valueAt(one, "/mirrored"),
+                        valueAt(one, "/seam_length")});
+    return report::table("How evenly textures lie", "By --mapping-report: less is better in every column.",
+                         {{"mapping"},
+                          {"CV of faces", "number", "spread of texels per area, face by face"},
+                          {"CV of patches", "number"},
+                          {"stretch", "number", "median of the longer over the shorter axis of a texel"},
+                          {"p95", "number"},
+                          {"starved", "number", "share of the area with few texels"},
+                          {"mirrored", "number"},
+                          {"seams", "number", "length of the seams"}},
+                         std::move(rows));
+}
+
+Json warnings(const Json& run) {
+    Json rows = Json::array();
+    for (const Json& one : valueAt(run, "/warnings"))
+        rows.push_back({textAt(one, "/severity"), textAt(one, "/code"), textAt(one, "/text"), textAt(one, "/hint")});
+    return report::table("Warnings", {}, {{"severity", "verdict"}, {"code", "code"}, {"what"}, {"what to do"}}, std::move(rows));
+}
+
+/// Of what --report writes: cache misses, bytes, errors of levels, seconds.
+std::vector<report::Figure> prepFigures(const Json& run) {
+    std::vector<report::Figure> figures;
+    const std::string mesh = textAt(run, "/input/file");
+    const auto add = [&](const std::string& name, const std::optional<double>& value) {
+        if (value) figures.push_back({.subject = mesh, .name = name, .value = *value});
+    };
+    if (mesh.empty()) return figures;
+    add("bytes", numberAt(run, "/bytes/after"));
+    const Json cache = valueAt(run, "/acmr");
+    for (const auto& [model, pair] : cache.items())
+        add("vertices shaded per triangle, " + model, numberAt(pair, "/after"));
+    int level = 1;
+    for (const Json& one : valueAt(run, "/levels"))
+        add(fmt::format("error of level {}, mm", level++), numberAt(one, "/error_mm"));
+    double seconds = 0;
+    for (const Json& step : valueAt(run, "/steps"))
+        seconds += numberAt(step, "/seconds").value_or(0);
+    add("seconds", seconds);
+    add("position error, mm", numberAt(run, "/precision/position_mm"));
+    return figures;
+}
+
+report::Page prepPage(const Json& run) {
+    report::Page page{.title = "tegument prep",
+                      .summary = fmt::format("{}: {} vertices and {} triangles out of {} vertices and {} faces", textAt(run, "/input/file"),
+                                             integerAt(run, "/output/vertices"), integerAt(run, "/output/faces"),
+                                             integerAt(run, "/input/vertices"), integerAt(run, "/input/faces")),
+                      .verdict = {},
+                      .facts = {},
+                      .sections = {}};
+    if (const std::string output = textAt(run, "/output/file"); !output.empty()) page.facts.emplace_back("written to", output);
+    if (Json list = warnings(run); !list["rows"].empty()) page.sections.push_back(std::move(list));
+    page.sections.insert(page.sections.end(), {steps(run), timeline(run), beforeAfter(run)});
+    if (Json list = levels(run); !list["points"].empty()) page.sections.push_back(std::move(list));
+    page.sections.push_back(topology(run));
+    if (Json list = mapping(run); !list["rows"].empty()) page.sections.push_back(std::move(list));
+    return page;
+}
 
 struct Arguments {
     std::string input;
@@ -160,10 +441,6 @@ int run(Arguments& arguments) {
     if (!told) return fail(told.error(), false);
     return 0;
 }
-
-} // namespace
-
-namespace {
 
 void addReading(CLI::App& command, Arguments& arguments) {
     ReadOptions& read = arguments.options.read;

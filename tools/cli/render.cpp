@@ -1,6 +1,15 @@
 // tegument render: runs an effect on a scene and writes what it drew.
 
-#include "host/mesh/length.h"
+#include "host/adopt/code.h"
+#include "host/adopt/kinds.h"
+#include "host/gpu/gpu.h"
+#include "host/mesh/extent.h"
+#include "host/run/pixels.h"
+#include "host/run/run.h"
+#include "host/run/semantics.h"
+#include "host/run/session.h"
+#include "host/run/session_frame.h"
+#include "host/scene/framing.h"
 #include "meshprep/assets/generators.h"
 #include "tools/cli/animation.h"
 #include "tools/cli/command_line.h"
@@ -8,21 +17,153 @@
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/picture_files.h"
-#include "tools/cli/turntable.h"
-#include "tools/cli/unread.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace tegument::app {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+bool mentions(const Script& script, const std::string& name) {
+    return std::ranges::any_of(script.commands, [&](const Command& command) {
+        return command.selector == name || std::ranges::find(command.options, name) != command.options.end();
+    });
+}
+
+bool mentions(const Annotations& annotations, const std::string& name) {
+    return std::ranges::any_of(annotations.list, [&](const Annotation& one) { return annotations.string(one.name) == name; });
+}
+
+/// By the functions that its shaders call and by its scripts: what only a compiler knows, such as a branch that is never taken, counts.
+bool reads(const Effect& effect, const Technique& technique, const std::string& name) {
+    const auto shaderReads = [&](const std::optional<ShaderReference>& shader) {
+        if (!shader) return false;
+        const adopt::Code code = adopt::readCode(shader->code.empty() ? effect.code : shader->code);
+        return std::ranges::any_of(adopt::reachable(code, {shader->entry}), [&](std::size_t i) {
+            const auto* variable = std::get_if<adopt::Variable>(&code.items[i]);
+            return variable && variable->name.text == name;
+        });
+    };
+    return mentions(technique.script, name) || std::ranges::any_of(technique.passes, [&](const Pass& pass) {
+               return mentions(pass.script, name) || mentions(pass.annotations, name) || shaderReads(pass.vertexShader) ||
+                      shaderReads(pass.pixelShader) || shaderReads(pass.geometryShader) || shaderReads(pass.computeShader);
+           });
+}
+
+bool wasRead(const Parameter& parameter, const RunResult& drawn) {
+    if (parameter.annotations.string("Generator")) return true; // by what makes its texture
+    if (!parameter.type.isTexture()) return std::ranges::find(drawn.parameters, parameter.name) != drawn.parameters.end();
+    return drawn.produced || std::ranges::find(drawn.textures, parameter.name) != drawn.textures.end();
+}
+
+/// TG8029 for each `NAME=VALUE` of which the frame has read nothing; the hint names the techniques that do.
+std::vector<Diagnostic> unreadValues(const std::vector<std::string>& sets, const Effect& effect, const RunResult& drawn) {
+    std::vector<Diagnostic> warnings;
+    for (const std::string& set : sets) {
+        const std::string name = set.substr(0, set.find('='));
+        const Parameter* parameter = effect.findParameter(name);
+        if (!parameter || wasRead(*parameter, drawn)) continue;
+        std::vector<std::string> others;
+        for (const Technique& technique : effect.techniques)
+            if (technique.name != drawn.technique && reads(effect, technique, name)) others.push_back(technique.name);
+        warnings.push_back({.severity = Severity::Warning,
+                            .code = 8029,
+                            .at = {},
+                            .text = fmt::format("--set {} changes nothing: {} does not read {}", set, drawn.technique, name),
+                            .hint = others.empty() ? fmt::format("no technique of {} does", effect.file.filename().string())
+                                                   : fmt::format("these do: -t {}", fmt::join(others, ", ")),
+                            .sourceLine = {}});
+    }
+    return warnings;
+}
+
+struct Turntable {
+    std::vector<std::filesystem::path> files;
+    SessionFrame first; // of the pictures; its times are those of one
+};
+[[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& output, int number);
+
+constexpr double kTurn = 6.28318530717958647692;
+constexpr int kTurnTakes = 4000; // milliseconds of an animation
+constexpr int kShortest = 20;    // milliseconds: browsers slow down what is shorter
+
+/// Takes the pictures one after another, so that not all of them are held at once.
+class Sink {
+public:
+    Sink(const PictureOptions& options, fs::path output) : options_(options), output_(std::move(output)) {}
+
+    Result<void> begin(const RunOptions& run, int pictures) {
+        if (!isAnimation(output_)) return {};
+        auto animation =
+            makeAnimation(output_, {.width = run.width, .height = run.height, .milliseconds = std::max(kShortest, kTurnTakes / pictures)});
+        if (!animation) return animation.error();
+        animation_ = std::move(*animation);
+        return {};
+    }
+    Result<void> take(const Image& image) {
+        if (animation_) return animation_->add(image);
+        files_.push_back(numbered(output_, static_cast<int>(files_.size()) + 1));
+        return writePicture(options_, files_.back(), image);
+    }
+    Result<std::vector<fs::path>> end() {
+        if (!animation_) return std::move(files_);
+        if (const auto written = animation_->write(output_); !written) return written.error();
+        return std::vector<fs::path>{output_};
+    }
+
+private:
+    const PictureOptions& options_;
+    fs::path output_;
+    std::unique_ptr<Animation> animation_;
+    std::vector<fs::path> files_;
+};
+
+namespace fs = std::filesystem;
+
+/// The file of a picture, counted from 1.
+fs::path numbered(const fs::path& output, int number) {
+    fs::path path = output;
+    return path.replace_filename(fmt::format("{}-{:03}{}", output.stem().string(), number, output.extension().string()));
+}
+
+/// `pictures` of them, the first as it stands: one animation, or a file for each, numbered from 001. Camera and light stay where they are
+/// for the viewer. `say` hears how many are done.
+Result<Turntable> renderTurntable(gpu::Device& device, const Job& job, const PictureOptions& options, const fs::path& output, int pictures,
+                                  const std::function<void(int done)>& say) {
+    const SessionScene scene = assets::sessionScene(job.scene);
+    const Workspace world = run::inWorld(job.scene.workspace, scene);
+    const glm::dvec3 pivot = glm::dvec3(run::boundsOf(scene).centre);
+    EffectSession session(device, job.effect, scene);
+    Sink sink(options, output);
+    if (const auto begun = sink.begin(job.run, pictures); !begun) return begun.error();
+    Turntable turntable;
+    for (int i = 0; i < pictures; ++i) {
+        auto frame = session.draw(turnedScene(world, pivot, kTurn * i / pictures), job.run);
+        if (!frame) return frame.error();
+        auto image = run::readBack(device, *session.target({}));
+        if (!image) return image.error();
+        image->metadata = frame->metadata;
+        image->metadata["turned"] = fmt::format("{:.1f} degrees", 360.0 * i / pictures);
+        if (const auto taken = sink.take(*image); !taken) return taken.error();
+        if (i == 0) turntable.first = std::move(*frame);
+        say(i + 1);
+    }
+    auto files = sink.end();
+    if (!files) return files.error();
+    turntable.files = std::move(*files);
+    return turntable;
+}
 
 struct RenderOptions {
     JobOptions job;

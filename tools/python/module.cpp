@@ -1,8 +1,15 @@
 // The Python module's part in C++: a Scene that is kept between pictures. All else is tools/python/tegument/__init__.py.
 
+#include "host/image/image.h"
+#include "host/run/pixels.h"
+#include "host/run/session.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/given_values.h"
+#include "meshprep/assets/job.h"
 #include "meshprep/assets/names.h"
-#include "tools/python/scene.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
@@ -12,11 +19,14 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -24,6 +34,117 @@ using tegument::Diagnostic;
 using tegument::Image;
 using tegument::Result;
 using tegument::python::Scene;
+
+namespace tegument::python {
+namespace {
+
+/// The device, the effect's compiled passes and its textures are kept from one picture to the next. Threads take turns.
+class Scene {
+public:
+    /// What `tegument render` reads for the same options, and its errors.
+    [[nodiscard]] static Result<std::unique_ptr<Scene>> load(const assets::JobOptions& options);
+
+    /// The caller's colour target: linear radiance, RGBA, row 0 on top. TG4001 and on where drawing fails.
+    [[nodiscard]] Result<Image> render(int width, int height);
+    /// A target of the last picture, 1 to 4 channels. TG8023 there is none of that name, or no picture yet.
+    [[nodiscard]] Result<Image> target(const std::string& name);
+    /// NAME=VALUE as on the command line, for all pictures from now on.
+    [[nodiscard]] Result<void> set(const std::string& assignment);
+    /// Camera and light from now on, in the frame of the workspace (docs/workspace.md); what is left out stays.
+    void place(const std::optional<Camera>& camera, const std::optional<Light>& light);
+
+    [[nodiscard]] Camera camera() const { return job_.scene.workspace.camera; }
+    [[nodiscard]] Light light() const { return job_.scene.workspace.light; }
+    [[nodiscard]] std::vector<std::string> targets();
+    /// Milliseconds by pass of the last picture; a pass that ran several times is their sum.
+    [[nodiscard]] std::map<std::string, double> times();
+    [[nodiscard]] std::string device() const { return device_.info().name; }
+    /// Those that came since the last call.
+    [[nodiscard]] std::vector<Diagnostic> takeWarnings();
+
+private:
+    Scene(assets::Job job, gpu::Device device);
+    void keep(const std::vector<Diagnostic>& warnings);
+
+    std::mutex mutex_;
+    assets::Job job_;
+    gpu::Device device_;
+    EffectSession session_;
+    SessionFrame frame_;
+    std::vector<Diagnostic> warnings_;
+};
+
+Result<std::unique_ptr<Scene>> Scene::load(const assets::JobOptions& options) {
+    auto job = assets::loadJob(options, assets::MeshFor::Technique);
+    if (!job) return job.error();
+    auto device = gpu::Device::create({.validation = options.validate, .prefer = options.device});
+    if (!device) return device.error();
+    return std::unique_ptr<Scene>(new Scene(std::move(*job), std::move(*device)));
+}
+
+Scene::Scene(assets::Job job, gpu::Device device)
+    : job_(std::move(job)), device_(std::move(device)), session_(device_, job_.effect, assets::sessionScene(job_.scene)) {
+    keep(job_.effect.warnings);
+    keep(job_.warnings);
+    for (const Mesh& mesh : job_.scene.meshes)
+        keep(mesh.warnings);
+}
+
+Result<Image> Scene::render(int width, int height) {
+    const std::scoped_lock lock(mutex_);
+    const auto size = assets::parseSize(fmt::format("{}x{}", width, height));
+    if (!size) return size.error();
+    std::tie(job_.run.width, job_.run.height) = *size;
+    auto frame = session_.draw(job_.scene.workspace, job_.run);
+    if (!frame) return frame.error();
+    frame_ = std::move(*frame);
+    keep(frame_.warnings);
+    return run::readBack(device_, *session_.target({}));
+}
+
+Result<Image> Scene::target(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    gpu::Texture* texture = session_.target(name);
+    if (texture != nullptr) return run::readBack(device_, *texture);
+    const std::string there = frame_.targets.empty() ? "render() first" : fmt::format("it has {}", fmt::join(frame_.targets, ", "));
+    return usageError(8023, fmt::format("{} has no such target: {}", job_.effect.file.string(), name), there);
+}
+
+Result<void> Scene::set(const std::string& assignment) {
+    const std::scoped_lock lock(mutex_);
+    return assets::applySet(assignment, job_.effect, job_.run);
+}
+
+void Scene::place(const std::optional<Camera>& camera, const std::optional<Light>& light) {
+    const std::scoped_lock lock(mutex_);
+    if (camera) job_.scene.workspace.camera = *camera;
+    if (light) job_.scene.workspace.light = *light;
+}
+
+std::vector<std::string> Scene::targets() {
+    const std::scoped_lock lock(mutex_);
+    return frame_.targets;
+}
+
+std::map<std::string, double> Scene::times() {
+    const std::scoped_lock lock(mutex_);
+    std::map<std::string, double> times;
+    for (const SessionPass& pass : frame_.passes)
+        times[pass.name] += pass.milliseconds;
+    return times;
+}
+
+void Scene::keep(const std::vector<Diagnostic>& warnings) {
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+}
+
+std::vector<Diagnostic> Scene::takeWarnings() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(warnings_, {});
+}
+
+} // namespace
+} // namespace tegument::python
 
 namespace {
 

@@ -3,8 +3,8 @@
 // of now; or a saved picture. And how far the picture is from it.
 
 #include "host/image/compare.h"
-#include "tools/view/loaded.h"
 #include "tools/view/pass_times.h"
+#include "tools/view/reading.h"
 #include "tools/view/sharpness.h"
 
 #include <map>

@@ -6,9 +6,9 @@
 #include "host/gpu/gpu.h"
 #include "tools/view/graph.h"
 #include "tools/view/layout.h"
-#include "tools/view/loaded.h"
 #include "tools/view/pass_times.h"
 #include "tools/view/probe.h"
+#include "tools/view/reading.h"
 #include "tools/view/source_text.h"
 #include "tools/view/state.h"
 

@@ -1,6 +1,6 @@
 #include "tools/view/targets.h"
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 
 #include <algorithm>
 

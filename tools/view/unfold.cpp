@@ -1,6 +1,6 @@
 #include "tools/view/unfold.h"
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "tools/view/viewer.h"
 
 #include "host/adopt/adopt.h"
-#include "host/run/read_back.h"
-#include "host/run/scene_bounds.h"
+#include "host/run/pixels.h"
+#include "host/run/semantics.h"
 #include "host/support/file.h"
 #include "tools/view/levels.h"
 #include "tools/view/workspace_write.h"

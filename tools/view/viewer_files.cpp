@@ -2,8 +2,8 @@
 
 #include "tools/view/viewer.h"
 
-#include "host/run/read_back.h"
-#include "host/run/scene_bounds.h"
+#include "host/run/pixels.h"
+#include "host/run/semantics.h"
 #include "host/support/kept_inputs.h"
 #include "tools/view/workspace_write.h"
 

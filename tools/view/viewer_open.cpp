@@ -2,7 +2,7 @@
 
 #include "tools/view/viewer.h"
 
-#include "host/run/scene_bounds.h"
+#include "host/run/semantics.h"
 
 namespace tegument::view {
 

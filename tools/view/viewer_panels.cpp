@@ -2,7 +2,7 @@
 
 #include "tools/view/viewer.h"
 
-#include "host/run/read_back.h"
+#include "host/run/pixels.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,11 @@
 #pragma once
 // The surface on which fur grows, brought to unit size, and points on it evenly by area.
+// What tells one surface from another, whatever the unit, place and triangles of its file: roots made for one are of no use on another.
 
 #include "host/mesh/mesh.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,5 +52,17 @@ private:
 
 /// Three numbers in [0, 1) for a counter: the noise from which everything about roots is taken.
 [[nodiscard]] glm::dvec3 rootNoise(std::uint64_t counter, std::uint32_t seed);
+
+/// In units of the mesh's minimal ball, from its centre, along the mesh's axes.
+struct SurfaceFigures {
+    glm::dvec3 middle{0}; // of the area
+    double area = 0;
+    glm::dvec3 spread{0}; // mean squares of the distance from the centre, over the area
+};
+
+[[nodiscard]] SurfaceFigures surfaceFigures(const Mesh& mesh);
+
+/// Why roots that were made for `made` cannot be used on `drawn`; nothing where they can.
+[[nodiscard]] std::optional<std::string> whyNotSame(const SurfaceFigures& made, const SurfaceFigures& drawn);
 
 } // namespace tegument

@@ -1,17 +1,108 @@
 #include "meshprep/fur/roots/roots.h"
 
 #include "host/support/parallel.h"
-#include "meshprep/fur/roots/limits.h"
+#include "host/support/rays/surface_tree.h"
+#include "meshprep/fur/roots/fur_surface.h"
 #include "meshprep/fur/roots/scatter.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace tegument {
 
 namespace {
+
+/// In the surface's unit space.
+struct LengthLimits {
+    float curvature = 0; // of the concave side, 1 / radius; 0 where the surface is flat or convex
+    float opposite = 0;  // distance to the next surface along the normal; infinite if there is none
+};
+
+/// Of concave curvature, the share of its radius that a strand may have.
+inline constexpr float kShareOfCurvature = 0.8F;
+
+constexpr float kFarthest = 2; // no strand is longer than the ball's radius: what is further away than twice that limits none
+
+/// One short ray a root does not repay a better tree.
+SurfaceTree treeOf(const FurSurface& surface, unsigned threads) {
+    return {surface.positions(), surface.mesh().indices, {.quick = true, .threads = threads}};
+}
+
+/// Along the normal to the next surface, infinite where there is none. `start` lies beyond the rounding of the root's own triangle.
+float opposite(const SurfaceTree& tree, const SurfacePoint& root, float start) {
+    const auto hit = tree.nearest(root.position, root.normal, {.first = start, .last = kFarthest});
+    return hit ? hit->distance : std::numeric_limits<float>::infinity();
+}
+
+/// Two directions that are perpendicular to a unit vector and each other (T. Duff et al., Building an Orthonormal Basis, Revisited, JCGT
+/// 6(1), 2017).
+std::pair<glm::vec3, glm::vec3> tangents(const glm::vec3& n) {
+    const float sign = std::copysign(1.0F, n.z);
+    const float a = -1 / (sign + n.z);
+    const float b = n.x * n.y * a;
+    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
+}
+
+/// The linear map M from steps on the tangent plane to changes of the normal that fits all neighbours best; the concave curvature is minus
+/// its least eigenvalue.
+class NormalFit {
+public:
+    void add(const glm::vec2& step, const glm::vec2& change) {
+        steps_ += glm::outerProduct(step, step);
+        changes_ += glm::outerProduct(change, step);
+        ++count_;
+    }
+
+    [[nodiscard]] float concaveCurvature() const {
+        const float determinant = glm::determinant(steps_);
+        const float trace = steps_[0][0] + steps_[1][1];
+        if (count_ < 3 || !(determinant > 1e-3F * trace * trace)) return 0; // all in one line: no plane to fit
+        const glm::mat2 m = changes_ * glm::inverse(steps_);
+        const float mean = (m[0][0] + m[1][1]) / 2;
+        const float half = (m[0][0] - m[1][1]) / 2;
+        const float shear = (m[0][1] + m[1][0]) / 2;
+        return std::max(0.0F, std::sqrt(half * half + shear * shear) - mean);
+    }
+
+private:
+    glm::mat2 steps_{0};
+    glm::mat2 changes_{0};
+    int count_ = 0;
+};
+
+float curvatureAt(const PointGrid& grid, const SurfacePoint& root, float reach) {
+    const std::pair<glm::vec3, glm::vec3> frame = tangents(root.normal);
+    const auto onPlane = [&](const glm::vec3& d) { return glm::vec2(glm::dot(d, frame.first), glm::dot(d, frame.second)); };
+    NormalFit fit;
+    grid.visit(root.position, reach, [&](std::uint32_t i, float) {
+        const PointGrid::Entry& other = grid.entries()[i];
+        const glm::vec3 step = other.position - root.position;
+        const glm::vec3 change = other.normal - root.normal;
+        if (glm::dot(other.normal, root.normal) > 0) fit.add(onPlane(step), onPlane(change));
+        return true;
+    });
+    return fit.concaveCurvature();
+}
+
+/// For each root. The curvature is that of the normals of all roots within `reach` that look to the same side: what strands, at their
+/// distance from each other, can show of it.
+std::vector<LengthLimits> lengthLimits(const FurSurface& surface, const std::vector<SurfacePoint>& roots, float reach, unsigned threads) {
+    PointGrid grid(reach, roots.size());
+    for (const SurfacePoint& root : roots)
+        grid.add(root.position, root.normal, 0);
+    const SurfaceTree tree = treeOf(surface, threads);
+    std::vector<LengthLimits> limits(roots.size());
+    const float start = 1e-3F * reach;
+    inChunks(roots.size(), threads, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i)
+            limits[i] = {.curvature = curvatureAt(grid, roots[i], reach), .opposite = opposite(tree, roots[i], start)};
+    });
+    return limits;
+}
 
 constexpr std::uint32_t kOfLooks = 0x2545f491U; // streams of the noise of their own
 constexpr std::uint32_t kOfShape = 0x9e3779b9U;
@@ -207,6 +298,38 @@ Result<RootSet> makeRoots(const Mesh& mesh, const RootOptions& options) {
     sampleCoat(set, surface, options);
     set.seconds.strands = watch.lap();
     return set;
+}
+
+CoatField::CoatField(std::span<const CoatSample> samples, float radius)
+    : samples_(samples), radius_(radius), grid_(radius, samples.size()) {
+    for (const CoatSample& sample : samples) {
+        grid_.add(sample.position, sample.normal, 0);
+        longest_ = std::max(longest_, glm::length(sample.lean));
+    }
+}
+
+glm::vec4 CoatField::at(const glm::vec3& place) const {
+    // Normal equations of a constant and three slopes, for four values at once; steps in units of the radius.
+    glm::mat4 left(0);
+    glm::mat4 right(0);
+    // A bucket shared by several cells is walked once for each: its points count as often, which their mean does not feel.
+    grid_.visit(place, radius_, [&](std::uint32_t i, float squared) {
+        const CoatSample& sample = samples_[i];
+        const float share = 1 - squared / (radius_ * radius_);
+        const glm::vec4 step((sample.position - place) / radius_, 1);
+        left += share * share * glm::outerProduct(step, step);
+        right += share * share * glm::outerProduct(glm::vec4(sample.lean, sample.density), step);
+        return true;
+    });
+    const float weight = left[3][3];
+    if (!(weight > 0)) return glm::vec4(0);
+    constexpr float kStiffness = 1e-2F; // of slopes: along the normal samples tell little of them, or nothing
+    for (glm::length_t i = 0; i < 3; ++i)
+        left[i][i] += kStiffness * weight;
+    const glm::vec4 value((glm::dmat4(right) * glm::inverse(glm::dmat4(left)))[3]); // floats would lose three digits
+    const glm::vec3 lean(value);
+    const float length = glm::length(lean);
+    return {length > longest_ ? lean * (longest_ / length) : lean, std::clamp(value.w, 0.0F, 1.0F)};
 }
 
 } // namespace tegument

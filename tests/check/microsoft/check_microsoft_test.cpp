@@ -1,12 +1,15 @@
-#include "tools/check/check.h"
+// The example of docs/your-engine.md that skins the effects, by Microsoft's compiler.
 
 #include "host/support/file.h"
+#include "tests/check/broken.h"
 #include "tests/check/describe.h"
+#include "tests/check/hook_example.h"
+#include "tools/check/check.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <unistd.h>
 
 namespace tegument::test {
 namespace {
@@ -98,6 +101,27 @@ TEST_F(CheckMicrosoft, files_and_folders_have_names_in_any_letters) {
     const FileReport report = checkPlain("#include \"t\u00f6ne.fxh\"\ntechnique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n",
                                          folder / "Gr\u00f6\u00dfe.fx");
     EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);
+}
+
+/// FurRoots' vertex shaders are the longest and take the most registers.
+TEST(VertexHookExample, compiles_for_direct3d_9_10_and_11_within_the_limits_of_shader_model_3) {
+    if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
+    const EffectsCopy copy;
+    for (const char* effect : {"Main.fx", "FurRoots.fx", "Culling.fx", "peers/Separable.fx"}) {
+        const FileReport file =
+            checkEffects({copy.put(hookExample(), effect)}, {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5}).files.at(0);
+        for (const TargetCheck& target : file.targets)
+            EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
+        // 60 bones of 3 registers are in use.
+        EXPECT_TRUE(std::ranges::any_of(file.sm3, [](const PassUsage& pass) { return pass.usage.constants > 180; })) << describe(file);
+    }
+}
+
+TEST(BrokenEffects, are_blamed_on_the_right_line_for_every_target_of_microsoft_s_compiler) {
+    if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
+    const CheckReport report = checkEffects(brokenEffects(), {kAllTargets.begin(), kAllTargets.end()});
+    for (const FileReport& file : report.files)
+        expectBlame(file);
 }
 
 } // namespace

@@ -1,10 +1,26 @@
 // What becomes of files that are dropped on the window.
+// Pictures of 256 colours.
+// The presets that come along.
+// How far the work is, and when it will be done.
+// What lies beside links: whose mesh they were made for.
+
+#include "host/effect/model.h"
+#include "host/scene/presets.h"
+#include "host/support/file.h"
+#include "meshprep/assets/cached_links.h"
 #include "tools/cli/dropped.h"
+#include "tools/cli/palette.h"
+#include "tools/cli/progress.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace tegument;
 using namespace tegument::app;
+using tegument::app::durationText;
+using tegument::app::Estimate;
 
 namespace {
 
@@ -19,6 +35,77 @@ JobOptions after(const JobOptions& options, const std::string& file) {
     EXPECT_TRUE(next) << format(next.error());
     return next ? *next : JobOptions{};
 }
+
+constexpr std::size_t kSide = 128;
+
+/// Shades of skin and more: 11,000 colours.
+std::vector<std::uint8_t> shades() {
+    std::vector<std::uint8_t> rgb;
+    for (std::size_t y = 0; y < kSide; ++y)
+        for (std::size_t x = 0; x < kSide; ++x) {
+            const double u = static_cast<double>(x) / kSide, v = static_cast<double>(y) / kSide;
+            for (const double value : {255 * u, 200 * u * v, 180 * v * v})
+                rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
+        }
+    return rgb;
+}
+
+std::vector<std::uint8_t> shown(const std::vector<std::uint8_t>& numbers, const std::vector<Rgb>& palette) {
+    std::vector<std::uint8_t> rgb;
+    for (const std::uint8_t number : numbers)
+        rgb.insert(rgb.end(), palette.at(number).begin(), palette.at(number).end());
+    return rgb;
+}
+
+std::vector<std::uint8_t> nearestTo(const std::vector<std::uint8_t>& rgb, const std::vector<Rgb>& palette) {
+    std::vector<std::uint8_t> numbers;
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        const auto distance = [&](const Rgb& entry) { return std::hypot(rgb[i] - entry[0], rgb[i + 1] - entry[1], rgb[i + 2] - entry[2]); };
+        numbers.push_back(static_cast<std::uint8_t>(std::ranges::min_element(palette, {}, distance) - palette.begin()));
+    }
+    return numbers;
+}
+
+/// The largest difference between means over squares of 8 pixels: what an eye sees from afar. Without those at the rim, where these shades
+/// have their outermost colours: a palette of means has none beyond them that could make up for the rest.
+double worstOfSquares(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    constexpr std::size_t kSquare = 8;
+    double worst = 0;
+    for (std::size_t top = kSquare; top + kSquare < kSide; top += kSquare)
+        for (std::size_t left = kSquare; left + kSquare < kSide; left += kSquare)
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                double sum = 0;
+                for (std::size_t y = top; y < top + kSquare; ++y)
+                    for (std::size_t x = left; x < left + kSquare; ++x) {
+                        const std::size_t at = 3 * (y * kSide + x) + channel;
+                        sum += static_cast<double>(a[at]) - static_cast<double>(b[at]);
+                    }
+                worst = std::max(worst, std::abs(sum) / (kSquare * kSquare));
+            }
+    return worst;
+}
+
+/// Three faces that meet at right angles, `height` high.
+Mesh corner(float height) {
+    Mesh mesh;
+    mesh.name = "corner";
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, height}};
+    mesh.indices = {0, 2, 1, 0, 1, 3, 0, 3, 2};
+    mesh.bounds.radius = height; // of some ball: all is counted in it
+    return mesh;
+}
+
+struct Links {
+    std::filesystem::path folder = std::filesystem::temp_directory_path() / ("skin_links_" + std::to_string(::getpid()));
+    std::filesystem::path file = folder / "links.dds";
+
+    Links() { std::filesystem::create_directories(folder); }
+    ~Links() { std::filesystem::remove_all(folder); }
+    Links(const Links&) = delete;
+    Links& operator=(const Links&) = delete;
+
+    void beside(const std::string& json) const { ASSERT_TRUE(writeFile(folder / "links.json", json)); }
+};
 
 } // namespace
 
@@ -77,4 +164,151 @@ TEST(Dropped, what_is_nothing_of_these_is_refused) {
     const auto beckmann = loadEffect("effects/Beckmann.fx");
     ASSERT_TRUE(beckmann);
     EXPECT_FALSE(withDropped({}, "a.png", *beckmann)) << "it takes no textures";
+}
+
+TEST(Palette, of_a_picture_of_few_colours_is_these_colours) {
+    const std::vector<std::uint8_t> rgb = {0, 0, 0, 255, 0, 0, 0, 255, 0, 9, 99, 199, 255, 0, 0, 0, 0, 0};
+    const std::vector<Rgb> palette = paletteOf(rgb);
+    EXPECT_EQ(palette.size(), 4U);
+    EXPECT_EQ(shown(dithered(rgb, 3, palette), palette), rgb) << "nothing is lost";
+}
+
+TEST(Palette, has_at_most_256_colours_and_a_picture_of_one_colour_has_one) {
+    EXPECT_EQ(paletteOf(shades()).size(), 256U);
+    EXPECT_EQ(paletteOf(std::vector<std::uint8_t>(300, 77)), (std::vector<Rgb>{{77, 77, 77}}));
+}
+
+TEST(Palette, dithering_keeps_smooth_shades_on_the_mean) {
+    const std::vector<std::uint8_t> rgb = shades();
+    const std::vector<Rgb> palette = paletteOf(rgb);
+    const double worst = worstOfSquares(shown(dithered(rgb, kSide, palette), palette), rgb);
+    const double plain = worstOfSquares(shown(nearestTo(rgb, palette), palette), rgb);
+    EXPECT_LT(worst, 2) << "of 255; one is usual: what a square hands to the next";
+    EXPECT_LT(worst, plain / 3) << "what the nearest colour alone gives";
+}
+
+TEST(Palette, nothing_is_far_from_its_colour) {
+    const std::vector<std::uint8_t> rgb = shades();
+    const std::vector<Rgb> palette = paletteOf(rgb);
+    const std::vector<std::uint8_t> near = shown(nearestTo(rgb, palette), palette);
+    double worst = 0;
+    for (std::size_t i = 0; i < rgb.size(); i += 3)
+        worst = std::max(worst, std::hypot(rgb[i] - near[i], rgb[i + 1] - near[i + 1], rgb[i + 2] - near[i + 2]));
+    // The surface of these shades is a sheet of about 255 x 268: 256 squares of 16 reach 12 from their middles, unevenly parted ones twice
+    // that.
+    EXPECT_LT(worst, 24);
+}
+
+TEST(OwnPresets, lie_within_the_ranges_and_differ_from_the_defaults) {
+    for (const char* name : {"effects/Main.fx", "effects/Pyramid.fx", "effects/Fur.fx", "effects/FurRoots.fx"}) {
+        const auto effect = tegument::loadEffect(name);
+        const auto presets = tegument::loadPresets(name);
+        ASSERT_TRUE(effect && presets) << name;
+        EXPECT_EQ(presets->size(), std::string(name).find("Fur") == std::string::npos ? 9U : 3U) << name << ": three looks, and six skins";
+        for (const tegument::Preset& preset : *presets) {
+            EXPECT_FALSE(preset.comment.empty()) << preset.name;
+            bool differs = false;
+            for (const auto& [parameter, value] : preset.parameters) {
+                const tegument::Parameter* found = effect->findParameter(parameter);
+                ASSERT_TRUE(found) << name << " " << preset.name << " " << parameter;
+                const auto least = found->annotations.numbers("UIMin");
+                const auto most = found->annotations.numbers("UIMax");
+                for (const double number : value) {
+                    EXPECT_TRUE(!least || number >= least->front()) << preset.name << " " << parameter;
+                    EXPECT_TRUE(!most || number <= most->front()) << preset.name << " " << parameter;
+                }
+                const auto* usual = found->defaultValue ? std::get_if<std::vector<double>>(&*found->defaultValue) : nullptr;
+                differs = differs || !usual || *usual != value;
+            }
+            EXPECT_TRUE(differs) << preset.name;
+        }
+    }
+}
+
+TEST(Estimate, of_a_count_is_what_the_items_so_far_took) {
+    Estimate estimate;
+    estimate.say("frame 1 of 11", 10);
+    EXPECT_FALSE(estimate.left(10)) << "nothing is done yet";
+    estimate.say("frame 3 of 11", 14);
+    EXPECT_NEAR(*estimate.left(14), 16, 1e-9) << "2 s each, 8 to come";
+    estimate.say("frame 11 of 11", 30);
+    EXPECT_NEAR(*estimate.left(30), 0, 1e-9);
+}
+
+TEST(Estimate, begins_anew_where_another_count_begins) {
+    Estimate estimate;
+    estimate.say("reference: pixel 0 of 100", 0);
+    estimate.say("reference: pixel 90 of 100", 90);
+    estimate.say("preparing Main (1 of 3)", 100);
+    EXPECT_FALSE(estimate.left(101)) << "what the reference took says nothing of it";
+    estimate.say("preparing Main (2 of 3)", 104);
+    EXPECT_NEAR(*estimate.left(104), 4, 1e-9);
+    estimate.say("preparing Main (1 of 3)", 110);
+    EXPECT_FALSE(estimate.left(110)) << "the next round";
+}
+
+TEST(Estimate, of_expected_steps_is_of_all_of_them) {
+    Estimate estimate;
+    estimate.expect({{"mesh", 1}, {"maps", 3}, {"write", 1}});
+    estimate.say("mesh", 2);
+    EXPECT_FALSE(estimate.left(3));
+    estimate.say("maps of 2048 texels", 4);
+    EXPECT_NEAR(*estimate.left(4), 8, 1e-9) << "1 of 5 took 2 s";
+    estimate.count(1, 3, 6); // a loop within the step
+    EXPECT_NEAR(*estimate.left(6), 6, 1e-9) << "2 of 5 took 4 s";
+    estimate.say("write", 10);
+    EXPECT_NEAR(*estimate.left(10), 2, 1e-9);
+}
+
+TEST(Estimate, is_said_once_it_is_worth_saying) {
+    Estimate estimate;
+    estimate.say("drawing the cube map", 0);
+    EXPECT_EQ(estimate.line(1), "drawing the cube map");
+    EXPECT_EQ(estimate.line(12), "drawing the cube map, 12 s");
+    estimate.count(1, 5, 12);
+    estimate.count(2, 5, 14);
+    EXPECT_EQ(estimate.line(14), "drawing the cube map, 40 %, 14 s, about 6 s left");
+    estimate.say("compiling shader 3 of 19", 20);
+    EXPECT_EQ(estimate.line(20), "compiling shader 3 of 19");
+}
+
+TEST(Estimate, takes_no_other_numbers_for_a_count) {
+    Estimate estimate;
+    for (const char* text : {"step 5 of", "of 7", "7 of many", "9 of 3", "0 of 0"}) {
+        estimate.say(text, 0);
+        estimate.say(text, 5);
+        EXPECT_FALSE(estimate.left(6)) << text;
+    }
+}
+
+TEST(Durations, are_read_at_a_glance) {
+    EXPECT_EQ(durationText(0.4), "0 s");
+    EXPECT_EQ(durationText(59.4), "59 s");
+    EXPECT_EQ(durationText(61), "1 min 01 s");
+    EXPECT_EQ(durationText(3599.6), "60 min 00 s");
+}
+
+TEST(SkinLinksFile, of_another_mesh_is_refused_and_of_the_same_taken) {
+    const Links links;
+    ASSERT_TRUE(assets::writeSkinLinks(
+        links.file, corner(1), SkinLinks{.sheet = {.width = 4, .height = 4, .pixels = std::vector<float>(64), .metadata = {}}}, {}));
+    EXPECT_TRUE(assets::checkSkinLinks(links.file, corner(1)));
+    const auto other = assets::checkSkinLinks(links.file, corner(3));
+    ASSERT_FALSE(other);
+    const std::string said = format(other.error());
+    for (const char* text : {"TG4055", "another mesh than corner"})
+        EXPECT_NE(said.find(text), std::string::npos) << said;
+}
+
+TEST(SkinLinksFile, with_any_json_beside_it_is_taken_as_it_is) {
+    const Links links;
+    const std::string head = R"({"kind": "tegument skin links", "mesh": )";
+    for (const std::string& text :
+         {std::string(), std::string("[1]"), std::string(R"({"kind": 3})"), std::string(R"({"kind": {"a": 1}})"), head + "7}",
+          head + "[{}]}", head + R"({"surface": "no"}})", head + R"({"surface": {"area": "1", "middle": [0,0,0], "spread": [0,0,0]}}})",
+          head + R"({"surface": {"area": 1, "middle": {"x": 1}, "spread": [0,0,0]}}})",
+          head + R"({"surface": {"area": 1, "middle": [0,0], "spread": [0,null,0]}}})", head + std::string(100000, '[')}) {
+        links.beside(text);
+        EXPECT_TRUE(assets::checkSkinLinks(links.file, corner(1))) << text.substr(0, 120);
+    }
 }

@@ -1,7 +1,7 @@
 // The eyeball's form, and where its lids touch it.
 
-#include "meshprep/human/eye_color.h"
 #include "meshprep/human/eye_opening.h"
+#include "meshprep/human/skin_color.h"
 
 #include <gtest/gtest.h>
 

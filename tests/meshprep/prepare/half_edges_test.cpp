@@ -1,11 +1,19 @@
 // OpenMesh's half-edges as a referee: of our figures of topology, and of both ways to make levels.
+// The tree of boxes against looking at every triangle.
+// A mesh of several parts simplified as one: its triangles are found again in the parts that they came from.
+
 #include "host/mesh/triangles.h"
 #include "host/mesh/welding.h"
 #include "meshprep/prepare/levels.h"
+#include "meshprep/prepare/near_surface.h"
 #include "meshprep/prepare/topology.h"
+#include "meshprep/prepare/whole_mesh.h"
 #include "tests/meshprep/half_edges.h"
 #include "tests/meshprep/prepare/meshes.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -79,6 +87,63 @@ std::size_t folds(const std::vector<glm::vec3>& positions, const std::vector<std
         count += sides.size() == 2 && glm::dot(normal(sides[0].triangle()), normal(sides[1].triangle())) < -0.7;
     });
     return count;
+}
+
+struct Soup {
+    std::vector<glm::dvec3> points;
+    std::vector<std::uint32_t> triangles;
+};
+
+/// Triangles up to so long, in the unit cube.
+Soup soupOf(std::size_t count, double length, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto point = [&] { return glm::dvec3(unit(random), unit(random), unit(random)); };
+    Soup soup;
+    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+        const glm::dvec3 first = i % 3 == 0 ? point() : soup.points[i - i % 3];
+        soup.points.push_back(glm::clamp(first + (i % 3) * 0.5 * length * (point() - 0.5), 0.0, 1.0));
+        soup.triangles.push_back(i);
+    }
+    return soup;
+}
+
+double nearestOfAll(const NearSurface& surface, const glm::dvec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < surface.size(); ++i)
+        least = std::min(least, surface.distanceTo(i, point));
+    return least;
+}
+
+struct Halves {
+    Mesh mesh;
+    float middle = 0; // x
+    float step = 0;   // from vertex to vertex
+};
+
+/// A terrain whose triangles left of the middle are one part, and the others another one; they have the vertices between in common.
+Halves halves() {
+    constexpr int kSquares = 24;
+    Mesh mesh = makeShape(Shape::Terrain, kSquares);
+    const auto [low, high] = std::ranges::minmax(mesh.positions, {}, &glm::vec3::x);
+    const float middle = (low.x + high.x) / 2;
+    std::vector<std::uint32_t> sides[2];
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        float x = 0;
+        for (std::size_t k = i; k < i + 3; ++k)
+            x += mesh.positions[mesh.indices[k]].x / 3;
+        auto& side = sides[x < middle ? 0 : 1];
+        side.insert(side.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    }
+    mesh.indices.clear();
+    mesh.parts.clear();
+    for (const auto& side : sides) {
+        mesh.parts.push_back({.name = mesh.parts.empty() ? "left" : "right",
+                              .firstIndex = static_cast<std::uint32_t>(mesh.indices.size()),
+                              .indexCount = static_cast<std::uint32_t>(side.size())});
+        mesh.indices.insert(mesh.indices.end(), side.begin(), side.end());
+    }
+    return {.mesh = std::move(mesh), .middle = middle, .step = (high.x - low.x) / kSquares};
 }
 
 } // namespace
@@ -210,4 +275,87 @@ TEST(LevelErrors, are_those_of_openmesh_s_quadrics) {
             EXPECT_LT(made.levels[0].error.rms, kWorst * theirs.rms) << "shape " << static_cast<int>(shape);
         }
     }
+}
+
+TEST(NearTree, finds_what_looking_at_every_triangle_finds) {
+    for (const std::size_t count : {1u, 2u, 4u, 5u, 17u, 300u, 5'000u})
+        for (const double length : {0.0, 0.02, 0.2}) {
+            const Soup soup = soupOf(count, length, static_cast<unsigned>(count));
+            const NearSurface surface(soup.points, soup.triangles);
+            const Soup asked = soupOf(30, 1, 7);
+            for (const glm::dvec3& point : asked.points) {
+                const NearestTriangle found = surface.nearest(point);
+                if (!found.exact) continue; // long triangles cross one another: asked below
+                if (length == 0) continue;  // without area: no distance
+                EXPECT_NEAR(found.distance, nearestOfAll(surface, point), 1e-6) << count << " triangles as long as " << length;
+                EXPECT_NEAR(found.distance, surface.distanceTo(found.triangle, point), 1e-12);
+            }
+        }
+}
+
+TEST(NearTree, answers_are_exact_on_a_mesh_whose_triangles_seldom_cross) {
+    const Soup soup = soupOf(5'000, 0.02, 3);
+    const NearSurface surface(soup.points, soup.triangles);
+    for (const glm::dvec3& point : soupOf(100, 1, 5).points)
+        EXPECT_TRUE(surface.nearest(point).exact);
+}
+
+TEST(NearTree, takes_a_million_triangles_at_one_place_in_its_stride) {
+    Soup soup = soupOf(1, 0.1, 1);
+    for (std::uint32_t i = 3; i < 3'000'000; ++i)
+        soup.triangles.push_back(i % 3);
+    const NearSurface surface(soup.points, soup.triangles);
+    const NearestTriangle found = surface.nearest(soup.points[0] + glm::dvec3(0, 0, 0.25));
+    EXPECT_NEAR(found.distance, nearestOfAll(surface, soup.points[0] + glm::dvec3(0, 0, 0.25)), 1e-6);
+}
+
+TEST(NearTree, names_every_triangle_once_along_its_curve_and_near_ones_together) {
+    const Soup soup = soupOf(5'000, 0.01, 2);
+    const NearSurface surface(soup.points, soup.triangles);
+    std::vector<bool> named(surface.size(), false);
+    double way = 0;
+    const auto placeOf = [&](std::size_t i) { return surface.triangle(surface.alongCurve()[i])[0]; };
+    ASSERT_EQ(surface.alongCurve().size(), surface.size());
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+        EXPECT_FALSE(named[surface.alongCurve()[i]]);
+        named[surface.alongCurve()[i]] = true;
+        if (i > 0) way += glm::distance(placeOf(i), placeOf(i - 1));
+    }
+    EXPECT_LT(way / 5'000, 0.1) << "in any order 0.66, the mean distance of two points of the cube";
+}
+
+TEST(NearTree, has_nothing_near_where_it_is_empty) {
+    const std::vector<glm::dvec3> points;
+    const NearSurface surface(points, {});
+    EXPECT_TRUE(std::isinf(surface.nearest(glm::dvec3(0.5)).distance));
+}
+
+TEST(WholeMeshes, simplified_as_one_have_their_parts_again) {
+    const Halves terrain = halves();
+    const Mesh& mesh = terrain.mesh;
+    const WholeMesh whole(mesh);
+    ASSERT_TRUE(whole.mayBeOne(mesh.indices.size() / 6));
+    const MeshLevel level = whole.level(whole.simplifiedAsOne(mesh.indices.size() / 6, {}));
+    ASSERT_EQ(level.parts.size(), 2u);
+    std::size_t across = 0; // triangles all of whose corners are beyond the middle by a tenth of a square
+    for (const MeshPart& part : level.parts) {
+        EXPECT_GT(part.indexCount, level.indices.size() / 3) << part.name;
+        for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
+            const auto beyond = [&](std::uint32_t k) {
+                const float x = mesh.positions[level.indices[i + k]].x - terrain.middle;
+                return (part.name == "left" ? x : -x) > 0.1f * terrain.step;
+            };
+            across += beyond(0) && beyond(1) && beyond(2);
+        }
+    }
+    EXPECT_EQ(across, 0u);
+}
+
+TEST(WholeMeshes, that_lose_nothing_have_all_triangles_where_they_were) {
+    const Mesh mesh = halves().mesh;
+    const WholeMesh whole(mesh);
+    const MeshLevel level = whole.level(whole.simplifiedAsOne(mesh.indices.size() / 3, {}));
+    ASSERT_EQ(level.parts.size(), 2u);
+    for (std::size_t part = 0; part < 2; ++part)
+        EXPECT_EQ(level.parts[part].indexCount, mesh.parts[part].indexCount) << mesh.parts[part].name;
 }

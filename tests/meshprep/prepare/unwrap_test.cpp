@@ -1,9 +1,12 @@
 // Texture coordinates for meshes without: every triangle has its own place in the square.
-#include "meshprep/prepare/unwrap.h"
+// How evenly strands lie that are looked up by the rest position, on shapes that are hard for maps.
 
 #include "meshprep/prepare/charts.h"
 #include "meshprep/prepare/clean.h"
+#include "meshprep/prepare/mapping.h"
+#include "meshprep/prepare/unwrap.h"
 #include "tests/meshprep/prepare/meshes.h"
+#include "tests/meshprep/scan_files.h"
 
 #include <cmath>
 #include <limits>
@@ -42,6 +45,73 @@ double fineness(const Mesh& mesh, std::size_t triangle) {
     const auto uv = [&](int i) { return glm::dvec2(mesh.uvs[t[i]]); };
     const glm::dvec2 a = uv(1) - uv(0), b = uv(2) - uv(0);
     return std::sqrt(std::abs(a.x * b.y - a.y * b.x) / glm::length(glm::cross(p(1) - p(0), p(2) - p(0))));
+}
+
+/// Corners (i, j) of a sheet, or of a tube where it is closed around.
+template <class Place>
+Surface sheet(std::uint32_t around, std::uint32_t along, bool closed, Place place) {
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> indices;
+    const std::uint32_t columns = closed ? around : around + 1;
+    for (std::uint32_t j = 0; j <= along; ++j)
+        for (std::uint32_t i = 0; i < columns; ++i)
+            positions.push_back(place(static_cast<double>(i) / around, static_cast<double>(j) / along));
+    for (std::uint32_t j = 0; j < along; ++j)
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const std::uint32_t a = j * columns + i, b = j * columns + (i + 1) % columns;
+            indices.insert(indices.end(), {a, b, b + columns, a, b + columns, a + columns});
+        }
+    return surfaceOf(meshOf(std::move(positions), std::move(indices)));
+}
+
+constexpr double kRound = 2 * std::numbers::pi;
+
+/// Neighbours turn by half a degree, all of them by a whole turn.
+Surface cone() {
+    return sheet(720, 2, true, [](double u, double v) {
+        const double radius = 30 + 40 * v;
+        return glm::vec3(radius * std::cos(kRound * u), 80 * v, radius * std::sin(kRound * u));
+    });
+}
+
+/// A ramp of three turns: no normal is far from any other, and it lies over itself.
+Surface ramp() {
+    return sheet(900, 1, false, [](double u, double v) {
+        const double radius = 20 + 10 * v;
+        return glm::vec3(radius * std::cos(3 * kRound * u), 6 * u, radius * std::sin(3 * kRound * u));
+    });
+}
+
+/// Closed, without an edge to begin at.
+Surface ring() {
+    Surface surface = sheet(500, 12, true, [](double u, double v) {
+        const double radius = 60 + 5 * std::cos(kRound * v);
+        return glm::vec3(radius * std::cos(kRound * u), 5 * std::sin(kRound * v), radius * std::sin(kRound * u));
+    });
+    for (glm::vec3& p : surface.mesh.positions) // both ends of v are one place to the last bit
+        p = glm::round(p * 1024.0F) / 1024.0F;
+    return surfaceOf(std::move(surface.mesh));
+}
+
+constexpr double kMostOfRoots = 0.02; // patch CV of roots (0.03 is wanted; random discs without strata would have 0.023), of balls
+constexpr double kMostOfBalls = 0.05;
+
+Surface prepared(Mesh mesh) {
+    Surface surface = surfaceOf(std::move(mesh));
+    makeNormals(surface, {});
+    computeBounds(surface.mesh);
+    return surface;
+}
+
+void expectEven(const std::vector<RootMapping>& ways) {
+    ASSERT_EQ(ways.size(), 2u);
+    EXPECT_LE(ways[0].cvPatch, kMostOfRoots);
+    EXPECT_LE(ways[1].cvPatch, kMostOfBalls);
+    for (const RootMapping& way : ways) {
+        EXPECT_EQ(way.starved, 0) << way.name;
+        EXPECT_EQ(way.seamLength, 0) << way.name;
+        EXPECT_LT(way.cvPatch, way.poissonCv) << "independent places are less even";
+    }
 }
 
 } // namespace
@@ -129,56 +199,6 @@ TEST_F(Unwrap, of_triangles_without_area_is_refused) {
     EXPECT_EQ(made.error().diagnostics.front().code, 7028);
 }
 
-namespace {
-
-/// Corners (i, j) of a sheet, or of a tube where it is closed around.
-template <class Place>
-Surface sheet(std::uint32_t around, std::uint32_t along, bool closed, Place place) {
-    std::vector<glm::vec3> positions;
-    std::vector<std::uint32_t> indices;
-    const std::uint32_t columns = closed ? around : around + 1;
-    for (std::uint32_t j = 0; j <= along; ++j)
-        for (std::uint32_t i = 0; i < columns; ++i)
-            positions.push_back(place(static_cast<double>(i) / around, static_cast<double>(j) / along));
-    for (std::uint32_t j = 0; j < along; ++j)
-        for (std::uint32_t i = 0; i < around; ++i) {
-            const std::uint32_t a = j * columns + i, b = j * columns + (i + 1) % columns;
-            indices.insert(indices.end(), {a, b, b + columns, a, b + columns, a + columns});
-        }
-    return surfaceOf(meshOf(std::move(positions), std::move(indices)));
-}
-
-constexpr double kRound = 2 * std::numbers::pi;
-
-/// Neighbours turn by half a degree, all of them by a whole turn.
-Surface cone() {
-    return sheet(720, 2, true, [](double u, double v) {
-        const double radius = 30 + 40 * v;
-        return glm::vec3(radius * std::cos(kRound * u), 80 * v, radius * std::sin(kRound * u));
-    });
-}
-
-/// A ramp of three turns: no normal is far from any other, and it lies over itself.
-Surface ramp() {
-    return sheet(900, 1, false, [](double u, double v) {
-        const double radius = 20 + 10 * v;
-        return glm::vec3(radius * std::cos(3 * kRound * u), 6 * u, radius * std::sin(3 * kRound * u));
-    });
-}
-
-/// Closed, without an edge to begin at.
-Surface ring() {
-    Surface surface = sheet(500, 12, true, [](double u, double v) {
-        const double radius = 60 + 5 * std::cos(kRound * v);
-        return glm::vec3(radius * std::cos(kRound * u), 5 * std::sin(kRound * v), radius * std::sin(kRound * u));
-    });
-    for (glm::vec3& p : surface.mesh.positions) // both ends of v are one place to the last bit
-        p = glm::round(p * 1024.0F) / 1024.0F;
-    return surfaceOf(std::move(surface.mesh));
-}
-
-} // namespace
-
 #ifndef TEGUMENT_WITHOUT_XATLAS
 TEST(UnwrapOfSmooth, surfaces_of_fine_triangles_never_overlap) {
     for (const auto& [name, make] : {std::pair("cone", &cone), std::pair("ramp", &ramp), std::pair("ring", &ring)}) {
@@ -244,3 +264,37 @@ TEST(UnwrapOfSmooth, a_chart_that_overlaps_or_turns_over_does_not_lie_flat) {
     EXPECT_FALSE(liesFlat(triangles, one)) << "no number";
 }
 #endif
+
+TEST(RootMappings, are_even_on_rough_shapes) {
+    expectEven(examineRoots(prepared(makeShape(Shape::Sphere, 60))));
+    expectEven(examineRoots(prepared(makeShape(Shape::Terrain, 120))));
+}
+
+TEST(RootMappings, count_as_many_balls_as_the_formula_says) {
+    // 2 rho / h^3 per area with rho = h / 2 and h = 1 / sqrt(density): the density, whichever way the surface looks. A curved surface cuts
+    // a few balls twice, which count once; five sigma of the patches' own variation.
+    const auto ways = examineRoots(prepared(makeShape(Shape::Sphere, 60)), 20'000);
+    EXPECT_NEAR(static_cast<double>(ways[1].count), 20'000, 5 * 0.05 * 20'000 / std::sqrt(300.0));
+}
+
+TEST(RootMappings, see_a_seam_where_places_were_joined_that_lie_apart) {
+    Surface surface = surfaceOf(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0.1f}, {0, 1, 0.1f}, {1, 1, 0}}, {0, 1, 2, 3, 5, 4}));
+    surface.point[3] = surface.point[1];
+    surface.point[4] = surface.point[2];
+    makeNormals(surface, {});
+    computeBounds(surface.mesh);
+    const auto ways = examineRoots(surface, 1000);
+    EXPECT_GT(ways[0].seamLength, 0.5) << "an edge of 1.4 on an area of 1";
+}
+
+class ScanRoots : public PrepFolder {};
+
+TEST_F(ScanRoots, are_even_on_the_bunny_and_the_dragon) {
+    for (const char* name : {"bun_zipper.ply", "dragon_vrip_res2.ply"}) {
+        const auto path = findScan(name, folder_);
+        if (path.empty()) GTEST_SKIP() << "no " << name << " (docs/meshprep.md says where it comes from)";
+        const auto result = prepareMesh(path, {.order = std::nullopt, .levels = 1, .mappingReport = true});
+        ASSERT_TRUE(result) << format(result.error());
+        expectEven(result->report.rootMapping);
+    }
+}

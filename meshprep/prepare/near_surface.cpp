@@ -1,7 +1,6 @@
-#include "meshprep/prepare/near_tree.h"
+#include "meshprep/prepare/near_surface.h"
 
 #include <bit>
-#include <limits>
 
 namespace tegument::prep {
 

@@ -130,7 +130,8 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
     if (sceneOptions.portrait)
-        if (const auto map = job.run.textures.find("gSkinMap"); map != job.run.textures.end()) sceneOptions.portrait->colorMap = map->second;
+        if (const auto map = job.run.textures.find("gSkinMap"); map != job.run.textures.end())
+            sceneOptions.portrait->colorMap = map->second;
     sceneOptions.usual = usualWorkspace(job.effect);
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     sceneOptions.turns = turns;

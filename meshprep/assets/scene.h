@@ -37,7 +37,7 @@ struct Scene {
     std::vector<RunObject> objects;
     std::optional<Mesh> pose{}; // of the only mesh: its skin, bent
     std::optional<Mesh> poseBefore{};
-    bool isOwn = false; // the mesh is the user's, not the workspace's
+    bool isOwn = false;                 // the mesh is the user's, not the workspace's
     std::vector<std::string> guesses{}; // of a portrait: a line each, with the option that says otherwise
 };
 

@@ -36,7 +36,8 @@ const Relief& relief() {
 /// How far to the front the surface reaches, in cells.
 class DepthMap {
 public:
-    DepthMap(const std::vector<SurfaceSample>& samples, const glm::dvec3& middle, const glm::dvec3& up, const glm::dvec3& front, double cell)
+    DepthMap(const std::vector<SurfaceSample>& samples, const glm::dvec3& middle, const glm::dvec3& up, const glm::dvec3& front,
+             double cell)
         : cell_(cell) {
         const glm::dvec3 left = glm::cross(up, front);
         low_ = INFINITY, high_ = -INFINITY;
@@ -61,7 +62,9 @@ public:
         }
         depth_.assign(sides[0].size(), -INFINITY);
         for (std::size_t i = 0; i < depth_.size(); ++i)
-            depth_[i] = !std::isfinite(sides[0][i]) ? sides[1][i] : !std::isfinite(sides[1][i]) ? sides[0][i] : (sides[0][i] + sides[1][i]) / 2;
+            depth_[i] = !std::isfinite(sides[0][i])   ? sides[1][i]
+                        : !std::isfinite(sides[1][i]) ? sides[0][i]
+                                                      : (sides[0][i] + sides[1][i]) / 2;
         fill();
     }
 
@@ -180,17 +183,17 @@ double likenessOf(const Relief& seen) {
 
 double faceRelief(double across, double above) {
     const double x = across, y = above;
-    double z = 85 * (std::sqrt(std::max(0.02, 1 - x * x / (76.0 * 76.0))) - 1);
-    if (y > 22) z -= (y - 22) * (y - 22) / (2 * 80);
-    z += 6 * bump(y - 16, 10) * bump(x, 40);                                 // brows
-    z -= 9 * bump(x - 31, 11) * bump(y + 3, 9);                              // eyes
-    const double ridge = y > -46 ? std::clamp(-y / 46, 0.0, 1.0) : std::max(0.0, 1 - (-46 - y) / 10);
-    z += 22 * ridge * bump(x, 7 + 4 * ridge);                                // nose
-    z += 9 * bump(x, 22) * bump(y + 74, 15);                                 // mouth
-    z += 5 * bump(x, 16) * bump(y + 106, 9);                                 // chin
-    z -= 8 * bump(y + 90, 50) * std::max(0.0, (x - 30) / 30);                // below the cheeks
-    if (y < -112) z -= 3 * (-112 - y);
-    return z;
+    double z = 2.3 + 45.9 * (std::sqrt(std::max(0.02, 1 - x * x / (63.5 * 63.5))) - 1);
+    if (y > 34.5) z -= (y - 34.5) * (y - 34.5) / (2 * 37); // forehead
+    z += 7.9 * bump(y - 15.9, 12) * bump(x, 40);           // brows
+    z -= 7 * bump(x - 19.3, 11) * bump(y + 11.2, 9);       // eyes, beside the nose
+    const double ridge = y > -44.3 ? std::clamp(-y / 44.3, 0.0, 1.0) : std::max(0.0, 1 - (-44.3 - y) / 19.2);
+    z += 24 * ridge * bump(x, 7.7 + 2.9 * ridge);     // nose
+    z += 7.3 * bump(x, 11.1) * bump(y + 74, 14);      // mouth
+    z += 4.3 * bump(x - 19.2, 14) * bump(y + 61, 16); // cheeks
+    z += 4.3 * bump(x, 16) * bump(y + 104.9, 9);      // chin
+    const double jaw = -114.9 + 36.5 * (x / 59) * (x / 59);
+    return z - 3.8 * std::max(0.0, jaw - y);
 }
 
 FaceMatch matchFace(const std::vector<SurfaceSample>& samples, const glm::dvec3& middle, const glm::dvec3& up, const glm::dvec3& front,

@@ -6,12 +6,13 @@
 namespace tegument {
 
 struct FaceMatch {
-    double likeness = -1;   // at most 1
-    double millimetre = 1;  // in the surface's unit
+    double likeness = -1;  // at most 1
+    double millimetre = 1; // in the surface's unit
     glm::dvec3 nasion{0};
 };
 
-/// mm before the nasion, `across` mm from the middle and `above` mm above it: a formula whose numbers are a grown person's.
+/// mm before the nasion, `across` mm from the middle and `above` mm above it: a formula, whose numbers
+/// were fitted to the median of twelve heads.
 [[nodiscard]] double faceRelief(double across, double above);
 
 /// The best place and size in what is seen against `front`, symmetric about the plane through `middle`; `fine`: by smaller steps.

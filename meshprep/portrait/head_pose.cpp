@@ -73,8 +73,8 @@ std::optional<HeadPose> guessHeadPose(std::span<const glm::vec3> positions, std:
     std::optional<View> best;
     double runnerUp = -1;
     for (const MirrorPlane& plane : mirrorPlanes(samples)) {
-        const glm::dvec3 across = glm::normalize(glm::cross(
-            plane.normal, std::abs(plane.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+        const glm::dvec3 across =
+            glm::normalize(glm::cross(plane.normal, std::abs(plane.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
         std::vector<View> views;
         constexpr int kAngles = 36;
         for (int i = 0; i < kAngles; ++i)

@@ -20,17 +20,17 @@ struct HeadPoseHints {
 struct HeadPose {
     glm::dvec3 up{0, 1, 0};
     glm::dvec3 front{0, 0, 1};
-    glm::dvec3 left{1, 0, 0};     // the head's own left: cross(up, front)
-    glm::dvec3 nasion{0};         // on the skin between the eyes
-    double millimetre = 1;        // this long, by the size of the face of a grown person
-    double symmetry = 0;          // 1: each half mirrors the other; 0: no more than by chance
-    double likeness = 0;          // of the best view to a face, at most 1
-    double runnerUp = 0;          // of the best view that is another one
-    bool onAxes = false;          // up and front are axes of the file
+    glm::dvec3 left{1, 0, 0}; // the head's own left: cross(up, front)
+    glm::dvec3 nasion{0};     // on the skin between the eyes
+    double millimetre = 1;    // this long, by the size of the face of a grown person
+    double symmetry = 0;      // 1: each half mirrors the other; 0: no more than by chance
+    double likeness = 0;      // of the best view to a face, at most 1
+    double runnerUp = 0;      // of the best view that is another one
+    bool onAxes = false;      // up and front are axes of the file
 };
 
 /// Above these the pose is trusted.
-inline constexpr double kLeastLikeness = 0.75;
+inline constexpr double kLeastLikeness = 0.82;
 inline constexpr double kLeastLead = 0.08;
 
 [[nodiscard]] bool isCertain(const HeadPose& pose);

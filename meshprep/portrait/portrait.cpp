@@ -43,9 +43,7 @@ struct Mean {
 };
 
 glm::dvec3 colorAt(const Image& picture, const glm::dvec2& uv) {
-    const auto texel = [](double t, int size) {
-        return std::clamp(static_cast<int>((t - std::floor(t)) * size), 0, size - 1);
-    };
+    const auto texel = [](double t, int size) { return std::clamp(static_cast<int>((t - std::floor(t)) * size), 0, size - 1); };
     const int x = texel(uv.x, picture.width), y = texel(uv.y, picture.height);
     glm::dvec3 color;
     for (int channel = 0; channel < 3; ++channel)
@@ -86,13 +84,13 @@ void flip(Mesh& mesh) {
 }
 
 Error uncertain(const Mesh& mesh, const HeadPose& pose) {
-    return inputError(5336, {.file = mesh.name, .byte = {}},
-                      fmt::format("the shape does not say where the face is: it is most like one with {} up and {} in front ({:.0f} %), and "
-                                  "nearly as like seen another way ({:.0f} %)",
-                                  axisName(pose.up), axisName(pose.front), 100 * std::max(0.0, pose.likeness),
-                                  100 * std::max(0.0, pose.runnerUp)),
-                      fmt::format("say which axes of the file point up and where it looks, if that is right: --up={} --front={}",
-                                  pose.onAxes ? axisName(pose.up) : "y", pose.onAxes ? axisName(pose.front) : "z"));
+    return inputError(
+        5336, {.file = mesh.name, .byte = {}},
+        fmt::format("the shape does not say where the face is: it is most like one with {} up and {} in front ({:.0f} %), and "
+                    "nearly as like seen another way ({:.0f} %)",
+                    axisName(pose.up), axisName(pose.front), 100 * std::max(0.0, pose.likeness), 100 * std::max(0.0, pose.runnerUp)),
+        fmt::format("say which axes of the file point up and where it looks, if that is right: --up={} --front={}",
+                    pose.onAxes ? axisName(pose.up) : "y", pose.onAxes ? axisName(pose.front) : "z"));
 }
 
 /// Size and place of a head that fills the mesh.
@@ -147,7 +145,8 @@ std::optional<bool> isFlipped(const Mesh& mesh, const HeadPose& pose, const Imag
             if (!kRegions[region].holds(std::abs(glm::dot(p, pose.left)), glm::dot(p, pose.up))) continue;
             glm::dvec2 uv(0);
             for (int corner = 0; corner < 3; ++corner)
-                uv += s.corners[corner] * glm::dvec2(mesh.uvs[mesh.indices[3 * std::size_t{s.triangle} + static_cast<std::size_t>(corner)]]);
+                uv +=
+                    s.corners[corner] * glm::dvec2(mesh.uvs[mesh.indices[3 * std::size_t{s.triangle} + static_cast<std::size_t>(corner)]]);
             for (const std::size_t flipped : {std::size_t{0}, std::size_t{1}}) {
                 Mean& mean = means[flipped][region];
                 mean.sum += colorAt(picture, {uv.x, flipped ? 1 - uv.y : uv.y});
@@ -181,8 +180,9 @@ Result<LaidHead> layHead(Mesh& mesh, const PortraitHints& hints) {
         head.guesses.push_back("no face is found that way: the whole mesh is taken for a head 260 mm high; its unit: --unit-mm X");
     }
     if (!told)
-        head.guesses.push_back(fmt::format("guessed: {} is up and the face looks along {}, by the shape; another way: --up=AXIS --front=AXIS",
-                                           axisName(pose.up), axisName(pose.front)));
+        head.guesses.push_back(
+            fmt::format("guessed: {} is up and the face looks along {}, by the shape; another way: --up=AXIS --front=AXIS",
+                        axisName(pose.up), axisName(pose.front)));
     const double unit = hints.unitMm ? mesh.unitMm : unitOfFace(pose.millimetre, mesh.unitMm);
     if (unit != mesh.unitMm)
         head.guesses.push_back(

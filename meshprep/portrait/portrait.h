@@ -19,8 +19,8 @@ struct PortraitHints {
 };
 
 struct LaidHead {
-    glm::vec3 nasion{0};  // on the skin between the eyes
-    float millimetre = 1; // of a grown person's face, in mm of this one
+    glm::vec3 nasion{0};              // on the skin between the eyes
+    float millimetre = 1;             // of a grown person's face, in mm of this one
     std::vector<std::string> guesses; // a line each, with the option that says otherwise
 };
 
@@ -28,7 +28,8 @@ struct LaidHead {
 /// that does, else two digits.
 [[nodiscard]] double unitOfFace(double millimetre, double declared);
 
-/// Whether the picture shows lips and brows where the face has them once v is flipped, or as it stands; none where it shows them neither way.
+/// Whether the picture shows lips and brows where the face has them once v is flipped, or as it stands; none where it shows them neither
+/// way.
 [[nodiscard]] std::optional<bool> isFlipped(const Mesh& mesh, const HeadPose& pose, const Image& picture);
 
 /// Turns and scales the mesh, which was read with `mesh.unitMm`, and flips v. TG5336 where its shape does not say how it lies.

@@ -134,9 +134,12 @@ void addPortrait(CLI::App& program, Action& action) {
         "The file's v runs against its format's convention; =false: it does not; default: by lips and eyes in the colour map");
     command->add_option("--turn", options->job.scene.turn, "Degrees by which the head is turned, counter-clockwise seen from above");
     command->add_option("-p,--preset", options->job.preset, "Named values of parameters, such as oily: tegument info Pyramid");
-    repeatable(command->add_option("-s,--set", options->job.sets,
-                                   "NAME=VALUE of effect Pyramid, as for render: gSkinMap=colour.jpg, gSurroundings=0.35; may be repeated"));
-    command->add_option("--size", options->job.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square; head and neck fit both")
+    repeatable(
+        command->add_option("-s,--set", options->job.sets,
+                            "NAME=VALUE of effect Pyramid, as for render: gSkinMap=colour.jpg, gSurroundings=0.35; may be repeated"));
+    command
+        ->add_option("--size", options->job.size,
+                     "Picture size in pixels: WIDTHxHEIGHT, or one number for a square; head and neck fit both")
         ->capture_default_str();
     command->add_option("--samples", options->job.samples, "Samples a pixel; default: 4")->check(CLI::IsMember({1, 2, 4, 8}));
     command->add_option("--map-size", options->job.effect.mapSize, "Texels along each side of the texture-space maps")

@@ -112,7 +112,7 @@ Result<void> portray(const SceneOptions& options, Scene& scene, Mesh& mesh) {
     constexpr float kFov = 25;
     const bool bare = mesh.uvs.empty();
     if (bare)
-        if (const auto given = giveCharts(options, scene, mesh); !given) return given;
+        if (const auto given = giveCharts(options, scene, mesh); !given) return given.error();
     auto head = layHead(mesh, *options.portrait);
     if (!head) return head.error();
     std::ranges::move(head->guesses, std::back_inserter(scene.guesses));

@@ -8,7 +8,7 @@ add_library(tegument_host INTERFACE)
 target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt)
 set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check
     tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
-    tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings)
+    tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings tegument_portrait)
 foreach(library IN LISTS exported)
   string(REGEX REPLACE "^tegument_" "" name ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
@@ -28,7 +28,7 @@ set(public_headers
     host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h
     host/run/session.h host/run/session_frame.h
     meshprep/assets/cache.h meshprep/assets/effect_options.h meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
-    meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h)
+    meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h meshprep/portrait/head_pose.h meshprep/portrait/portrait.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION include/tegument/${room})

@@ -101,6 +101,39 @@ void dropThoseOfOthers(const Effect& effect, std::vector<std::string>& unknown) 
 
 } // namespace
 
+const std::vector<Switch>& switches() {
+    static const std::vector<Switch> kSwitches = {
+        {"TEGUMENT_SURROUNDINGS", 1, "skin stands in surroundings: a studio, or gEnvironmentMap"},
+        {"TEGUMENT_LAMPS", 7, "so many lamps beside the scene's light; by default a fill and two rims"},
+        {"TEGUMENT_LAMP_SHADOWS", 3, "so many of the lamps throw shadows"},
+        {"TEGUMENT_SOFT_SHADOWS", 1, "shadows of lamps have penumbras"},
+        {"TEGUMENT_LOBES", 1, "skin mirrors by two lobes"},
+        {"TEGUMENT_SLAB", 1, "DEonLuebke lets through what simulated skin does"},
+        {"TEGUMENT_FUR_COLOR_MAP", 1, "fur has the colour of gFurColorMap"},
+        {"TEGUMENT_FUR_VERTEX_LIGHT", 1, "light of Fur at vertices: faster"},
+    };
+    return kSwitches;
+}
+
+Result<std::vector<std::pair<std::string, std::string>>> takeSwitches(std::vector<std::string>& sets) {
+    std::vector<std::pair<std::string, std::string>> defines;
+    for (auto set = sets.begin(); set != sets.end();) {
+        const std::size_t equals = set->find('=');
+        const auto found = std::ranges::find(switches(), set->substr(0, equals), &Switch::name);
+        if (found == switches().end()) {
+            ++set;
+            continue;
+        }
+        const std::string value = equals == std::string::npos ? "1" : set->substr(equals + 1);
+        if (value.size() != 1 || value[0] < '0' || value[0] - '0' > found->most)
+            return usageError(8013, fmt::format("--set {}: a whole number from 0 to {} is expected", *set, found->most),
+                              fmt::format("{}: {}", found->name, found->meaning));
+        defines.emplace_back(found->name, value);
+        set = sets.erase(set);
+    }
+    return defines;
+}
+
 Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run) {
     const std::size_t equals = set.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -110,7 +143,10 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
     const Parameter* parameter = effect.findParameter(name);
     const bool texture = parameter ? parameter->type.isTexture() : takesTexture(effect, name); // textures go by their semantic, too
     if (!parameter && !texture) {
-        const std::string near = didYouMean(name, parameterNames(effect));
+        std::vector<std::string> names = parameterNames(effect);
+        for (const Switch& one : switches())
+            names.push_back(one.name);
+        const std::string near = didYouMean(name, names);
         return usageError(8012, fmt::format("--set {}: {} has no parameter '{}'", set, effect.file.string(), name),
                           near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near);
     }

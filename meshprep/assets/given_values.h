@@ -7,9 +7,23 @@
 #include "host/scene/workspace.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tegument::assets {
+
+/// A switch of the effects: a macro, so that what it leaves out is never compiled.
+struct Switch {
+    std::string name;
+    int most; // from 0 on
+    std::string meaning;
+};
+
+/// Those that a picture is made with, of hlsl/settings.fxh.
+[[nodiscard]] const std::vector<Switch>& switches();
+
+/// Takes those of them that name a switch: NAME=VALUE, as definitions. TG8013 a value that it does not have.
+[[nodiscard]] Result<std::vector<std::pair<std::string, std::string>>> takeSwitches(std::vector<std::string>& sets);
 
 /// NAME=VALUE: numbers for a numeric parameter, a file for a texture. TG8011 no '=', TG8012 no such parameter, TG8013 not that many finite
 /// numbers, or not whole ones; TG8008 no such file.

@@ -99,6 +99,10 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
             if (const auto exists = fileExists(pose, "--pose"); !exists) return exists.error();
     if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
     if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
+    std::vector<std::string> sets = options.sets;
+    const auto switched = takeSwitches(sets);
+    if (!switched) return switched.error();
+    load.defines.insert(load.defines.end(), switched->begin(), switched->end());
     sceneOptions.roots = load.roots;
     sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load.includeFolders.begin(), load.includeFolders.end());
     auto effect = loadEffect(*file, load);
@@ -122,9 +126,12 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     job.run.compiler = *compiler;
     if (!options.preset.empty())
         if (const auto applied = applyPreset(options.preset, job.effect, job.run); !applied) return applied.error();
-    for (const std::string& set : options.sets)
+    for (const std::string& set : sets)
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
+    if (sceneOptions.portrait)
+        if (const auto map = job.run.textures.find("gSkinMap"); map != job.run.textures.end())
+            sceneOptions.portrait->colorMap = map->second;
     sceneOptions.usual = usualWorkspace(job.effect);
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     sceneOptions.turns = turns;

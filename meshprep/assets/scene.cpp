@@ -3,10 +3,13 @@
 #include "host/run/semantics.h"
 #include "host/support/text.h"
 #include "meshprep/assets/strands.h"
+#include "meshprep/prepare/prepare.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -82,6 +85,52 @@ void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) 
     if (up == UpAxis::Z) workspace.parameters.insert({"gFurDown", {0, 0, -1}});
 }
 
+/// Charts for a mesh that has none, where it lies and as large as it is.
+Result<void> giveCharts(const SceneOptions& options, Scene& scene, Mesh& mesh) {
+    prep::PrepOptions prepare;
+    prepare.read = {.unitMm = mesh.unitMm, .roots = options.roots};
+    prepare.centre = prep::CentreMode::None;
+    prepare.unwrap = true;
+    prepare.order.reset();
+    prepare.levels = 1;
+    auto prepared = prep::prepareMesh(options.mesh, prepare);
+    if (!prepared) return prepared.error();
+    prepared->mesh.warnings = std::move(mesh.warnings);
+    prepared->mesh.name = mesh.name;
+    mesh = std::move(prepared->mesh);
+    for (MeshPart& part : mesh.parts)
+        computeClusters(mesh, part);
+    scene.guesses.push_back("the mesh has no texture coordinates, and charts are made in each run: tegument prep MESH --unwrap -o NEW.glb "
+                            "keeps them");
+    return {};
+}
+
+/// Seen from the head's left, with the key light on its right, as human.json has them; head and neck fill the picture.
+Result<void> portray(const SceneOptions& options, Scene& scene, Mesh& mesh) {
+    constexpr glm::vec3 kDirection(0.44F, 0.05F, 0.9F);
+    constexpr glm::vec3 kKey(-530, 590, 1000); // mm from the middle of the head
+    constexpr float kFov = 25;
+    const bool bare = mesh.uvs.empty();
+    if (bare)
+        if (const auto given = giveCharts(options, scene, mesh); !given) return given.error();
+    auto head = layHead(mesh, *options.portrait);
+    if (!head) return head.error();
+    std::ranges::move(head->guesses, std::back_inserter(scene.guesses));
+    Mesh framed;
+    framed.positions = framedPoints(mesh, *head);
+    computeBounds(framed);
+    const auto turned = [&](const glm::vec3& v) { return aboutVertical(v, -options.turn); };
+    Workspace& workspace = scene.workspace;
+    workspace.camera = (options.turns ? frameTurningMesh : frameMesh)(framed, turned(kDirection), UpAxis::Y, kFov, options.aspect);
+    workspace.cameraRelative = false;
+    workspace.light = Light{};
+    workspace.lightRelative = false;
+    const glm::vec3 middle = head->nasion + glm::vec3(0, 0, -95) * head->millimetre;
+    workspace.light.position = middle + turned(kKey) * head->millimetre;
+    workspace.light.color = glm::vec3(1.7F);
+    return {};
+}
+
 /// Of radius 1, with texture coordinates and tangents: foreign effects expect objects of about one unit.
 Mesh ball() {
     constexpr int kRings = 64;
@@ -118,7 +167,7 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (options.unitMm) load.unitMm = options.unitMm;
     if (isFramed(options)) load.expectHead = false;
     if (options.head) load.expectHead = *options.head;
-    load.guessUnit = !options.mesh.empty() && !load.expectHead;
+    load.guessUnit = !options.mesh.empty() && !load.expectHead && !options.portrait;
     load.roots = options.roots;
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, attributionOf(options, workspace));
 }
@@ -201,7 +250,11 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     if (!mesh) return mesh.error();
     if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
     if (const auto read = readPoses(options, *mesh, scene); !read) return read.error();
-    if (isFramed(options)) frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
+    if (options.portrait) {
+        if (const auto laid = portray(options, scene, *mesh); !laid) return laid.error();
+    } else if (isFramed(options)) {
+        frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
+    }
     if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
         scene.workspace.camera.nearPlane = 0.1F;
         scene.workspace.camera.farPlane = 100;

@@ -3,6 +3,7 @@
 
 #include "host/run/run.h"
 #include "host/scene/framing.h"
+#include "meshprep/portrait/portrait.h"
 
 #include <deque>
 #include <optional>
@@ -25,7 +26,8 @@ struct SceneOptions {
     double aspect = 1;    // of the picture
     bool foreign = false; // the effect is another host's: without a mesh it is shown on a ball, and its world is about as large
     bool turns = false;   // a mesh of one's own is framed so that it can turn
-    Roots roots{};        // where else files may lie that meshes name
+    std::optional<PortraitHints> portrait{}; // the mesh is a head, to be laid and framed as in a portrait
+    Roots roots{};                           // where else files may lie that meshes name
 };
 
 /// `workspace.objects` empty: one mesh, or none.
@@ -35,7 +37,8 @@ struct Scene {
     std::vector<RunObject> objects;
     std::optional<Mesh> pose{}; // of the only mesh: its skin, bent
     std::optional<Mesh> poseBefore{};
-    bool isOwn = false; // the mesh is the user's, not the workspace's
+    bool isOwn = false;                 // the mesh is the user's, not the workspace's
+    std::vector<std::string> guesses{}; // of a portrait: a line each, with the option that says otherwise
 };
 
 /// A workspace whose mesh is one that the program makes, and is not there, names the command.

@@ -19,6 +19,7 @@ namespace tegument::app {
 using Action = std::function<int()>;
 
 void addRender(CLI::App& program, Action& action);
+void addPortrait(CLI::App& program, Action& action);
 void addCheck(CLI::App& program, Action& action);
 void addFlatten(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);

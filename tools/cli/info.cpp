@@ -3,6 +3,7 @@
 #include "host/effect/model.h"
 #include "host/effect/script_run.h"
 #include "host/run/semantics.h"
+#include "meshprep/assets/given_values.h"
 #include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
@@ -260,6 +261,11 @@ void printEffect(const Effect& effect, bool all) {
     fmt::print("\n");
     printRows("to turn (--set NAME=VALUE): type, range, default, what it is and its unit", tunables);
     printRows("textures (--set NAME=FILE)", textures);
+    std::vector<std::vector<std::string>> switched;
+    for (const assets::Switch& one : assets::switches())
+        switched.push_back({one.name, fmt::format("0..{}", one.most), one.meaning});
+    if (effect.settings && effect.settings->define == "TEGUMENT_SETTING")
+        printRows("switches (--set NAME=VALUE): range, what they do", switched);
     if (all) printRows("internal parameters: type, semantic, default", internals);
     if (all) printRows("targets: size, format", targets);
     for (const Technique& technique : effect.techniques)

@@ -26,6 +26,7 @@ Start here:
   tegument check Main                         does it compile for every Direct3D and for SPIR-V?
   tegument prep human                         make the default head, once
   tegument render Main -o head.png            draw it
+  tegument portrait head.glb -o head.png      a head of your own in skin, in a studio
   tegument view Main                          in a window; edits of the source show at once)";
 
 constexpr const char* kExitCodes = R"(
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
     tegument::app::Action action;
     tegument::app::setUpHelp(program, action);
     tegument::app::addRender(program, action);
+    tegument::app::addPortrait(program, action);
     tegument::app::addCheck(program, action);
     tegument::app::addFlatten(program, action);
     tegument::app::addInfo(program, action);

@@ -32,7 +32,8 @@ double levelVariance(double level) {
 std::vector<std::string> skins() {
     std::vector<std::string> all = {
         "{{.233,.455,.649,.0064},{.1,.336,.344,.0484},{.118,.198,0,.187},{.113,.007,.007,.567},{.358,.004,0,1.99},{.078,0,0,7.41}}"};
-    for (const Preset& preset : loadPresets("effects/Pyramid.fx").value()) {
+    const auto presets = loadPresets("effects/Pyramid.fx");
+    for (const Preset& preset : *presets) {
         const auto weights = preset.parameters.find("gGaussianWeight");
         if (weights == preset.parameters.end()) continue;
         std::string rows;
@@ -150,16 +151,18 @@ std::vector<FunctionCase> ladderCases() {
                      .domain = [](const Inputs& x) { return !undecided(x.scalar(1)); }});
     for (const std::string& skin : skins())
         cases.push_back(
-            {.function = "tgLadderWeight", // at a0 texels per mm: all of the light, nowhere less than none, in the profile's order of colours
-             .body = "float4 p[6] = " + skin +
-                     "; float4 off = 0; float3 all = 0; float3 far = 0; float3 meant = 0; float3 kernel = 0; "
-                     "for (int i = 0; i < 6; i++) { off.rgb -= p[i].rgb; all += p[i].rgb; meant += p[i].rgb * exp(-a1 * a1 / (2 * p[i].w)); } "
-                     "for (float s = 0; s < 8; s++) { float v = tgLadderStep(s, a0 * a0, 6.0); float3 w = tgLadderWeight(p, s, a0 * a0, 6.0); "
-                     "off.rgb += w; off.w = min(off.w, min(w.r, min(w.g, w.b))); if (v > 0) { far += w * exp(-a1 * a1 / (2 * v)); "
-                     "kernel += w * exp(-a1 * a1 / (2 * v)) / v; } } "
-                     "far /= all; meant /= all; off.w = min(off.w, min(kernel.r, min(kernel.g, kernel.b))); "
-                     "if (meant.r >= meant.g) off.w = min(off.w, far.r - far.g + 0.001); "
-                     "if (meant.g >= meant.b) off.w = min(off.w, far.g - far.b + 0.001); return off;",
+            {.function =
+                 "tgLadderWeight", // at a0 texels per mm: all of the light, nowhere less than none, in the profile's order of colours
+             .body =
+                 "float4 p[6] = " + skin +
+                 "; float4 off = 0; float3 all = 0; float3 far = 0; float3 meant = 0; float3 kernel = 0; "
+                 "for (int i = 0; i < 6; i++) { off.rgb -= p[i].rgb; all += p[i].rgb; meant += p[i].rgb * exp(-a1 * a1 / (2 * p[i].w)); } "
+                 "for (float s = 0; s < 8; s++) { float v = tgLadderStep(s, a0 * a0, 6.0); float3 w = tgLadderWeight(p, s, a0 * a0, 6.0); "
+                 "off.rgb += w; off.w = min(off.w, min(w.r, min(w.g, w.b))); if (v > 0) { far += w * exp(-a1 * a1 / (2 * v)); "
+                 "kernel += w * exp(-a1 * a1 / (2 * v)) / v; } } "
+                 "far /= all; meant /= all; off.w = min(off.w, min(kernel.r, min(kernel.g, kernel.b))); "
+                 "if (meant.r >= meant.g) off.w = min(off.w, far.r - far.g + 0.001); "
+                 "if (meant.g >= meant.b) off.w = min(off.w, far.g - far.b + 0.001); return off;",
              .arguments = {linear(0.3, 5), linear(0.01, 12)},
              .expected = [](const Inputs&) { return values(0); },
              .tolerance = {.absolute = 1e-5, .why = "sums of the profile, in which no energy is lost"},

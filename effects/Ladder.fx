@@ -28,7 +28,6 @@ float3 colourIn(float profile, int gaussian)
     return profile > 2.5 ? fifth : profile > 1.5 ? brought : own;
 }
 
-// The first Gaussian is the pixel's own.
 float4 LadderPS(QuadVarying input) : SV_Target0
 {
     float row = floor(input.uv.y * kTgLadderRows);
@@ -36,10 +35,10 @@ float4 LadderPS(QuadVarying input) : SV_Target0
     float step = row - profile * kTgLadderSteps;
     float density = tgLadderDensity(input.uv.x);
     float top = profile > 0.5 ? linkedTop() : kTgLadderTop;
-    float3 sum = step < 0.5 ? colourIn(profile, 0) : float3(0.0, 0.0, 0.0);
-    [unroll] for (int i = 1; i < 6; i++)
-        sum += colourIn(profile, i) * tgLadderWeight(gGaussianWeight[i].w, step, gGaussianWeight[0].w, density, top);
-    return float4(sum, 1.0);
+    float4 chosen[6];
+    [unroll] for (int i = 0; i < 6; i++)
+        chosen[i] = float4(colourIn(profile, i), gGaussianWeight[i].w);
+    return float4(tgLadderWeight(chosen, step, density, top), 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0

@@ -162,7 +162,7 @@ float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, f
     float density = clamp(metric.z, 1e-4, kLargestDensity);
     float3 weight = linked > 0.5 ? linkedWeight(level + 1.0, density) : ladderWeight(level + 1.0, density);
     [branch] if (fourth > 0.5 && light.w < 1.0)
-        weight += (light.w - 1.0) * ladderWeight(2.0 * kTgLadderSteps + level + 1.0, density);
+        weight = max(weight + (light.w - 1.0) * ladderWeight(2.0 * kTgLadderSteps + level + 1.0, density), 0.0);
     weight *= levelFlesh(uv, size, tgLadderVariance(level) / density);
     return float4(light.rgb * weight, linked > 0.5 ? -density : density);
 }

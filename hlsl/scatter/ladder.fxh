@@ -1,6 +1,6 @@
 // The diffusion profile on a ladder: what each level of a pyramid, and one Gaussian evaluated at each pixel, must weigh for their sum to be
-// the profile. Each of its Gaussians is interpolated between the four steps around it, in the logarithm of the variance (Lagrange), so that
-// the weights sum to 1 exactly, change continuously with the density of texels, and follow any profile (docs/design/modules/Ladder.md).
+// the profile. Of all weights that are not below 0 and whose sum is the profile's, those whose edge comes nearest to the profile's
+// (docs/design/modules/Ladder.md).
 // Level l of a pyramid of quadratic B-splines is a Gaussian of (4^l - 1) / 2 texels^2 of the base, besides what is present before it and
 // after it. Units: variance in mm^2, density in texels^2 of the base per mm^2. Step 0: the pixel's own Gaussian; step s: level s - 1.
 #ifndef TEGUMENT_SCATTER_LADDER_FXH
@@ -18,10 +18,12 @@ static const float kTgLadderSteps = 8.0;
 static const float kTgLadderRows = 32.0;
 // Present in every level: a texel's own square (1/12) and the bilinear look-up (1/6), texels^2 of the base.
 static const float kTgLadderPresent = 1.0 / 12.0 + 1.0 / 6.0;
-// A level that is hardly wider than the pixel's own Gaussian is left out. Where the first level is wider than so many of it, nothing lies
-// between: what is narrower still is left to the pixel, for to sharpen the map instead would take weights below 0.
+// Variance of the pixel's own Gaussian, mm^2: its shadow is filtered as widely (shadow/planar.fxh). A level that is hardly wider is left
+// out, for it is as coarse as the map.
+static const float kTgLadderPixel = 0.0064;
 static const float kTgLadderApart = 1.3;
-static const float kTgLadderGap = 10.0;
+// Rounds over all pairs of steps: of which the edge is within 0.001 of the limit.
+static const float kTgLadderRounds = 32.0;
 
 // Texels^2 of the base.
 float tgLadderVariance(float level)
@@ -29,44 +31,60 @@ float tgLadderVariance(float level)
     return 0.5 * (exp2(2.0 * level) - 1.0) + kTgLadderPresent;
 }
 
-// The level of that variance (texels^2), not whole.
-float tgLadderLevel(float variance)
+// Variance of a step, mm^2; 0 of one that is not on the ladder. top: the last level that there is.
+float tgLadderStep(float step, float density, float top)
 {
-    return 0.5 * log2(max(2.0 * (variance - kTgLadderPresent) + 1.0, 1e-6));
+    float level = tgLadderVariance(step - 1.0) / density;
+    bool on = step < top + 1.5 && level > kTgLadderApart * kTgLadderPixel;
+    return step < 0.5 ? kTgLadderPixel : on ? level : 0.0;
 }
 
-// First level on the ladder. Four steps at least remain.
-float tgLadderStart(float narrow, float density, float top)
+// What a step weighs. profile: weights (RGB) and variance. For mixtures of centred Gaussians the integral of the squared difference of two
+// responses to a half-plane is the quadratic form -sum_ij c_i c_j sqrt((v_i + v_j) / (2 pi)), so that weight moves from one step to another
+// by an amount in closed form. All of it starts at the pixel.
+float3 tgLadderWeight(float4 profile[6], float step, float density, float top)
 {
-    float wanted = kTgLadderApart * narrow * density;
-    return clamp(ceil(tgLadderLevel(max(wanted, kTgLadderPresent))), 0.0, top - 2.0);
-}
-
-// Logarithm of the variance of the step at this place of the ladder: 0 the pixel's own, then levels from `start` on.
-float tgLadderRung(float place, float start, float narrow, float density)
-{
-    return log2(place < 0.5 ? narrow : tgLadderVariance(start + place - 1.0) / density);
-}
-
-// What a step weighs for a Gaussian. pixel: the pixel's own variance; top: the last level that there is, 2 at least.
-float tgLadderWeight(float variance, float step, float pixel, float density, float top)
-{
-    float start = tgLadderStart(pixel, density, top);
-    float narrow = max(pixel, tgLadderVariance(start) / (kTgLadderGap * density));
-    float last = top - start + 1.0;
-    float place = step < 0.5 ? 0.0 : step - start;
-    float y = clamp(log2(variance), log2(narrow), tgLadderRung(last, start, narrow, density));
-    float level = tgLadderLevel(exp2(y) * density);
-    float first = level < start ? 0.0 : clamp(floor(level) - start, 0.0, last - 3.0);
-    float own = tgLadderRung(place, start, narrow, density);
-    float weight = (step > 0.5 && place < 0.5) || abs(place - first - 1.5) > 2.0 ? 0.0 : 1.0;
-    [unroll] for (int i = 0; i < 4; i++)
+    float variance[8];
+    float3 weight[8];
+    float3 slope[8];
+    [unroll] for (int i = 0; i < 8; i++)
     {
-        float rung = tgLadderRung(first + i, start, narrow, density);
-        float apart = own - rung; // 0 of the step itself
-        weight *= abs(apart) > 1e-6 ? (y - rung) / apart : 1.0;
+        variance[i] = tgLadderStep(i, density, top);
+        weight[i] = 0.0;
+        slope[i] = 0.0;
+        [unroll] for (int j = 0; j < 6; j++)
+        {
+            weight[i] += i == 0 ? profile[j].rgb : float3(0.0, 0.0, 0.0);
+            slope[i] += profile[j].rgb * (sqrt(variance[i] + profile[j].w) - sqrt(variance[i] + kTgLadderPixel));
+        }
     }
-    return weight;
+    [loop] for (float turn = 0.0; turn < kTgLadderRounds; turn++)
+        [loop] for (float a = 1.0; a < kTgLadderSteps; a++)
+            [loop] for (float b = 0.0; b < a; b++)
+            {
+                float2 pair = 0.0; // variances
+                float3 most = 0.0;
+                float3 least = 0.0;
+                float3 gain = 0.0;
+                [unroll] for (int k = 0; k < 8; k++)
+                {
+                    pair += variance[k] * float2(k == a ? 1.0 : 0.0, k == b ? 1.0 : 0.0);
+                    most += k == b ? weight[k] : float3(0.0, 0.0, 0.0);
+                    least -= k == a ? weight[k] : float3(0.0, 0.0, 0.0);
+                    gain += slope[k] * (k == b ? 1.0 : k == a ? -1.0 : 0.0);
+                }
+                float curve = 2.0 * sqrt(pair.x + pair.y) - sqrt(2.0 * pair.x) - sqrt(2.0 * pair.y);
+                float3 moved = min(pair.x, pair.y) > 0.0 ? clamp(gain / curve, least, most) : float3(0.0, 0.0, 0.0);
+                [unroll] for (int s = 0; s < 8; s++)
+                {
+                    weight[s] += moved * (s == a ? 1.0 : s == b ? -1.0 : 0.0);
+                    slope[s] += moved * (sqrt(variance[s] + pair.y) - sqrt(variance[s] + pair.x));
+                }
+            }
+    float3 own = 0.0;
+    [unroll] for (int s = 0; s < 8; s++)
+        own += s == step ? weight[s] : float3(0.0, 0.0, 0.0);
+    return max(own, 0.0);
 }
 
 // Where a table of weights has a step: `row` counted over all profiles.

@@ -1,12 +1,18 @@
-// Pyramid and ladder, the metric of texels, and planar shadows against double precision: interpolation by Neville's scheme, eigenvalues of
-// the first fundamental form, rays that meet planes.
+// Pyramid and ladder, the metric of texels, and planar shadows against double precision: the best weights by going through all sets of
+// steps, eigenvalues of the first fundamental form, rays that meet planes.
 
+#include "host/scene/presets.h"
 #include "tests/hlsl/function_case.h"
 #include "tests/hlsl/maps.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace tegument::test {
@@ -15,59 +21,91 @@ namespace {
 
 constexpr double kPresent = 1.0 / 12 + 1.0 / 6; // texels^2
 constexpr double kApart = 1.3;
-constexpr double kGap = 10;
+constexpr double kPixel = 0.0064; // mm^2
 constexpr double kTexel = 1.0 / kTestMapSize;
 
 double levelVariance(double level) {
     return (std::pow(4.0, level) - 1) / 2 + kPresent;
 }
 
-/// Variances (mm^2) of the steps on the ladder, the pixel's own first; the first level's number.
-struct Ladder {
-    std::vector<double> variances;
-    int start = 0;
-};
-
-Ladder ladder(double pixel, double density, int top) {
-    Ladder steps;
-    while (steps.start < top - 2 && levelVariance(steps.start) < kApart * pixel * density)
-        ++steps.start;
-    steps.variances.push_back(std::max(pixel, levelVariance(steps.start) / (kGap * density)));
-    for (int level = steps.start; level <= top; ++level)
-        steps.variances.push_back(levelVariance(level) / density);
-    return steps;
-}
-
-/// What the function that is 1 at rung `at` and 0 at the others becomes at y, through the four rungs around y (Neville).
-double weight(double variance, int step, double pixel, double density, int top) {
-    const Ladder steps = ladder(pixel, density, top);
-    const int last = static_cast<int>(steps.variances.size()) - 1;
-    const int place = step == 0 ? 0 : step - steps.start;
-    if (step > 0 && place < 1) return 0;
-    const double v = std::clamp(variance, steps.variances.front(), steps.variances.back());
-    int below = 0; // the last rung that is not above
-    while (below < last && steps.variances[static_cast<std::size_t>(below) + 1] <= v)
-        ++below;
-    const int first = std::clamp(below - 1, 0, last - 3);
-    if (place < first || place > first + 3) return 0;
-    std::array<double, 4> x{};
-    std::array<double, 4> p{};
-    for (int i = 0; i < 4; ++i) {
-        x[static_cast<std::size_t>(i)] = std::log(steps.variances[static_cast<std::size_t>(first + i)]);
-        p[static_cast<std::size_t>(i)] = first + i == place ? 1 : 0;
+/// Weights (RGB) and variances of the skins among the presets, and of 2007, as HLSL has them.
+std::vector<std::string> skins() {
+    std::vector<std::string> all = {
+        "{{.233,.455,.649,.0064},{.1,.336,.344,.0484},{.118,.198,0,.187},{.113,.007,.007,.567},{.358,.004,0,1.99},{.078,0,0,7.41}}"};
+    const auto presets = loadPresets("effects/Pyramid.fx");
+    for (const Preset& preset : *presets) {
+        const auto weights = preset.parameters.find("gGaussianWeight");
+        if (weights == preset.parameters.end()) continue;
+        std::string rows;
+        for (std::size_t i = 0; i < 24; i += 4)
+            rows += fmt::format("{}{{{}}}", i > 0 ? "," : "", fmt::join(std::span(weights->second).subspan(i, 4), ","));
+        all.push_back("{" + rows + "}");
     }
-    const double y = std::log(v);
-    for (std::size_t width = 1; width < 4; ++width)
-        for (std::size_t i = 0; i + width < 4; ++i)
-            p[i] = ((y - x[i + width]) * p[i] + (x[i] - y) * p[i + 1]) / (x[i] - x[i + width]);
-    return p[0];
+    return all;
 }
 
-/// Whether rounding may choose other rungs: near a change of the first level, or of the four around.
-bool undecided(double variance, double pixel, double density, int top) {
-    const auto near = [](double a, double b) { return std::abs(a / b - 1) < 1e-4; };
+/// The steps on the ladder.
+std::vector<double> ladder(double density, int top) {
+    std::vector<double> variances = {kPixel};
     for (int level = 0; level <= top; ++level)
-        if (near(levelVariance(level), kApart * pixel * density) || near(levelVariance(level), variance * density)) return true;
+        if (levelVariance(level) / density > kApart * kPixel) variances.push_back(levelVariance(level) / density);
+    return variances;
+}
+
+/// The unknowns of a system of equations, each row with its right side (Gauss, Jordan).
+std::vector<double> solved(std::vector<std::vector<double>> rows) {
+    const std::size_t n = rows.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        std::swap(rows[i], *std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(i), rows.end(),
+                                             [&](const auto& a, const auto& b) { return std::abs(a[i]) < std::abs(b[i]); }));
+        for (std::size_t j = 0; j < n; ++j)
+            for (std::size_t k = n + 1; j != i && k-- > i;)
+                rows[j][k] -= rows[i][k] * (rows[j][i] / rows[i][i]);
+    }
+    std::vector<double> unknowns;
+    for (std::size_t i = 0; i < n; ++i)
+        unknowns.push_back(rows[i][n] / rows[i][i]);
+    return unknowns;
+}
+
+/// Share of a point's light that goes farther than `radius` mm, of one Gaussian of this variance by the best weights that are not below 0:
+/// of all sets of steps those whose weights, found with no bound, are none, and that come nearest at an edge.
+double beyond(double variance, double density, double radius) {
+    const auto steps = ladder(density, 6);
+    double least = 1e9;
+    double share = 0;
+    for (unsigned set = 1; set < 1U << steps.size(); ++set) {
+        std::vector<double> v;
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            if ((set >> i & 1U) != 0) v.push_back(steps[i]);
+        std::vector<std::vector<double>> rows(v.size() + 1, std::vector<double>(v.size() + 2, 1));
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            for (std::size_t j = 0; j < v.size(); ++j)
+                rows[i][j] = std::sqrt(v[i] + v[j]);
+            rows[i].back() = std::sqrt(v[i] + variance);
+        }
+        rows.back()[v.size()] = 0;
+        const auto w = solved(rows);
+        double off = -std::sqrt(2 * variance);
+        double far = 0;
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            off += w[i] * (2 * std::sqrt(v[i] + variance));
+            for (std::size_t j = 0; j < v.size(); ++j)
+                off -= w[i] * w[j] * std::sqrt(v[i] + v[j]);
+            far += w[i] * std::exp(-radius * radius / (2 * v[i]));
+        }
+        if (off < least && *std::min_element(w.begin(), w.end() - 1) >= 0) {
+            least = off;
+            share = far;
+        }
+    }
+    return share;
+}
+
+/// Whether rounding may choose other steps.
+bool undecided(double density) {
+    for (int level = 0; level <= 6; ++level)
+        if (std::abs(levelVariance(level) / (kApart * kPixel * density) - 1) < 1e-4) return true;
     return false;
 }
 
@@ -91,41 +129,44 @@ std::vector<FunctionCase> ladderCases() {
                              return values(v, v, v, v);
                          },
                      .tolerance = {.forward = 8, .backward = 0, .why = "a power of two and two sums"}});
-    cases.push_back({.function = "tgLadderLevel",
-                     .body = "return float4(tgLadderLevel(a0), 0, 0, 0);",
-                     .arguments = {linear(0.25, 3000)},
-                     .expected = [](const Inputs& x) { return values(std::log2(2 * (x.scalar(0) - kPresent) + 1) / 2); },
-                     .tolerance = {.forward = 8, .backward = 2, .absolute = 2e-6, .why = "a logarithm, whose error is absolute near 1"}});
-    cases.push_back({.function = "tgLadderStart",
-                     .body = "return float4(tgLadderStart(a0, a1, 6.0), 0, 0, 0);",
-                     .arguments = {linear(0.001, 0.1), linear(0.1, 2000)},
-                     .expected = [](const Inputs& x) { return values(ladder(x.scalar(0), x.scalar(1), 6).start); },
-                     .tolerance = {.forward = 0, .backward = 0, .why = "a whole number"},
-                     .domain = [](const Inputs& x) { return !undecided(1, x.scalar(0), x.scalar(1), 6); }});
-    cases.push_back({.function = "tgLadderRung",
-                     .body = "return float4(tgLadderRung(a0, a1, a2, a3), 0, 0, 0);",
-                     .arguments = {whole(0, 4), whole(0, 3), linear(0.001, 0.1), linear(0.1, 2000)},
+    cases.push_back({.function = "tgLadderStep",
+                     .body = "return float4(tgLadderStep(a0, a1, 6.0), tgLadderStep(a0, a1, 2.0), 0, 0);",
+                     .arguments = {whole(0, 7), linear(0.1, 2000)},
                      .expected =
                          [](const Inputs& x) {
-                             const double v = x.scalar(0) < 0.5 ? x.scalar(2) : levelVariance(x.scalar(1) + x.scalar(0) - 1) / x.scalar(3);
-                             return values(std::log2(v));
+                             const double level = levelVariance(x.scalar(0) - 1) / x.scalar(1);
+                             const double on = x.scalar(0) < 0.5 ? kPixel : level > kApart * kPixel ? level : 0;
+                             return values(on, x.scalar(0) > 3.5 ? 0 : on);
                          },
-                     .tolerance = {.forward = 8, .backward = 2, .absolute = 4e-6, .why = "a logarithm, whose error is absolute near 1"}});
-    cases.push_back(
-        {.function = "tgLadderWeight",
-         .body = "return float4(tgLadderWeight(a0, a1, 0.0064, a2, 6.0), tgLadderWeight(a0, a1, 0.0064, a2, 2.0), 0, 0);",
-         .arguments = {linear(0.01, 8), whole(0, 7), linear(1, 30)},
-         .expected =
-             [](const Inputs& x) {
-                 const int step = static_cast<int>(x.scalar(1));
-                 return values(weight(x.scalar(0), step, 0.0064, x.scalar(2), 6), weight(x.scalar(0), step, 0.0064, x.scalar(2), 2));
-             },
-         .tolerance =
-             {.forward = 8, .backward = 2, .absolute = 3e-5, .why = "products of quotients of differences of logarithms, each off by 4e-6"},
-         .domain =
-             [](const Inputs& x) {
-                 return !undecided(x.scalar(0), 0.0064, x.scalar(2), 6) && !undecided(x.scalar(0), 0.0064, x.scalar(2), 2);
-             }});
+                     .tolerance = {.forward = 8, .backward = 2, .why = "a power of two, two sums and a quotient"},
+                     .domain = [](const Inputs& x) { return !undecided(x.scalar(1)); }});
+    cases.push_back({.function = "tgLadderWeight", // one Gaussian: what goes farther than a2 mm
+                     .body = "float4 p[6] = {{1,1,1,a0},{0,0,0,1},{0,0,0,1},{0,0,0,1},{0,0,0,1},{0,0,0,1}}; float far = 0; "
+                             "for (float s = 0; s < 8; s++) { float v = tgLadderStep(s, a1, 6.0); "
+                             "if (v > 0) far += tgLadderWeight(p, s, a1, 6.0).x * exp(-a2 * a2 / (2 * v)); } return float4(far, 0, 0, 0);",
+                     .arguments = {linear(0.01, 8), linear(0.1, 25), linear(0.05, 4)},
+                     .expected = [](const Inputs& x) { return values(beyond(x.scalar(0), x.scalar(1), x.scalar(2))); },
+                     .tolerance = {.absolute = 0.01, .why = "32 rounds are within as much of the limit"},
+                     .samples = 64,
+                     .domain = [](const Inputs& x) { return !undecided(x.scalar(1)); }});
+    for (const std::string& skin : skins())
+        cases.push_back(
+            {.function =
+                 "tgLadderWeight", // at a0 texels per mm: all of the light, nowhere less than none, in the profile's order of colours
+             .body =
+                 "float4 p[6] = " + skin +
+                 "; float4 off = 0; float3 all = 0; float3 far = 0; float3 meant = 0; float3 kernel = 0; "
+                 "for (int i = 0; i < 6; i++) { off.rgb -= p[i].rgb; all += p[i].rgb; meant += p[i].rgb * exp(-a1 * a1 / (2 * p[i].w)); } "
+                 "for (float s = 0; s < 8; s++) { float v = tgLadderStep(s, a0 * a0, 6.0); float3 w = tgLadderWeight(p, s, a0 * a0, 6.0); "
+                 "off.rgb += w; off.w = min(off.w, min(w.r, min(w.g, w.b))); if (v > 0) { far += w * exp(-a1 * a1 / (2 * v)); "
+                 "kernel += w * exp(-a1 * a1 / (2 * v)) / v; } } "
+                 "far /= all; meant /= all; off.w = min(off.w, min(kernel.r, min(kernel.g, kernel.b))); "
+                 "if (meant.r >= meant.g) off.w = min(off.w, far.r - far.g + 0.001); "
+                 "if (meant.g >= meant.b) off.w = min(off.w, far.g - far.b + 0.001); return off;",
+             .arguments = {linear(0.3, 5), linear(0.01, 12)},
+             .expected = [](const Inputs&) { return values(0); },
+             .tolerance = {.absolute = 1e-5, .why = "sums of the profile, in which no energy is lost"},
+             .samples = 128});
     cases.push_back({.function = "tgLadderCoordinate",
                      .body = "return float4(tgLadderCoordinate(a0, a1), 0, 0);",
                      .arguments = {whole(0, 31), linear(0.02, 10000)},

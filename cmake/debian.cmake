@@ -2,7 +2,7 @@
 if(NOT CPACK_GENERATOR STREQUAL DEB)
   return()
 endif()
-file(GLOB_RECURSE manuals ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/man1/*.1)
+file(GLOB_RECURSE manuals ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/tegument.1)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/../CITATION.cff citation)
 string(REGEX MATCH "date-released: \"([0-9-]+)\"" released "${citation}")
 execute_process(COMMAND date --utc --rfc-email --date ${CMAKE_MATCH_1} OUTPUT_VARIABLE date COMMAND_ERROR_IS_FATAL ANY)

@@ -93,8 +93,8 @@ set(CPACK_PACKAGE_NAME tegument)
 # Who makes a package for others names himself by DEBFULLNAME and DEBEMAIL (cmake/package), as Debian's own tools have it.
 set(CPACK_PACKAGE_CONTACT "Tegument contributors <contributors@tegument.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Tegument draws human skin and fur in real time: HLSL effect files for Direct3D\n 9, 10 and 11, and through SPIR-V for Vulkan. The program renders, checks and\n\
- measures every effect, with or without a GPU, and prepares meshes for them.\n Headers and static libraries for programs of one's own are here, too.")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Tegument draws human skin and fur in real time: HLSL effect files for Direct3D\n9, 10 and 11, and through SPIR-V for Vulkan. \
+The program renders, checks and\nmeasures every effect, with or without a GPU, and prepares meshes for them.\nHeaders and static libraries for programs of one's own are here, too.")
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian.cmake)
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -25,7 +25,6 @@ tegument render Pyramid --mesh ball.glb --size 256 --no-head -o skin.png
 : "the first picture after $((SECONDS - from)) s"
 tegument render Fur --mesh ball.obj --size 256 -o fur.png
 tegument render FurCoat --mesh ball.obj --size 256 -o coat.png
-tegument render FurSkin -t Hair --mesh ball.glb --size 256 -o hair.png
 tegument flatten --library -o tegument.hlsl
 test -s list.txt && test -s tegument.hlsl
 man_page=/usr/share/man/man1/tegument.1

@@ -39,6 +39,23 @@ install(PROGRAMS meshprep/fetch.py DESTINATION share/tegument/meshprep)
 if(TEGUMENT_LAB)
   install(FILES lab/bench/plot.py lab/bench/flip.py DESTINATION share/tegument/lab/bench)
 endif()
+# The licences of all that the programs hold: ours, and those of what is compiled in.
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE licences)
+if(TEGUMENT_XATLAS_DIR AND EXISTS ${TEGUMENT_XATLAS_DIR}/LICENSE)
+  file(READ ${TEGUMENT_XATLAS_DIR}/LICENSE licence)
+  string(APPEND licences "\nCompiled in, xatlas:\n\n${licence}")
+endif()
+foreach(folder IN LISTS TEGUMENT_MESHOPTIMIZER_DIR TEGUMENT_MESHOPTIMIZER_NEWEST_DIR)
+  if(EXISTS ${folder}/simplifier.cpp)
+    file(READ ${folder}/meshoptimizer.h licence)
+    string(FIND "${licence}" "/**\n * Copyright" from REVERSE) # the header ends with it
+    string(SUBSTRING "${licence}" ${from} -1 licence)
+    string(REGEX REPLACE "(^|\n)( \\*/|/\\*\\*\n| \\* ?)" "\\1" licence "${licence}")
+    string(APPEND licences "\nCompiled in, meshoptimizer:\n\n${licence}")
+  endif()
+endforeach()
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/copyright CONTENT "${licences}")
+install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/tegument)
 # Side by side as in the tree, so that the links of one to the other hold.
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION share/doc/tegument)
 install(DIRECTORY docs DESTINATION share/doc/tegument)
@@ -73,14 +90,22 @@ endif()
 
 set(CPACK_GENERATOR "DEB;TGZ")
 set(CPACK_PACKAGE_NAME tegument)
-set(CPACK_PACKAGE_CONTACT "Tegument contributors")
+# Who makes a package for others names himself by DEBFULLNAME and DEBEMAIL (cmake/package), as Debian's own tools have it.
+set(CPACK_PACKAGE_CONTACT "Tegument contributors <contributors@tegument.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Tegument draws human skin and fur in real time: HLSL effect files for Direct3D\n9, 10 and 11, and through SPIR-V for Vulkan. \
+The program renders, checks and\nmeasures every effect, with or without a GPU, and prepares meshes for them.\nHeaders and static libraries for programs of one's own are here, too.")
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian.cmake)
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "wine, wine64, xvfb")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any") # runs fetch.py
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers, python3-pip")
+# Microsoft's compiler runs in the first three; the others are what a program built against the libraries needs, docs/samples/client for one.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "wine, wine64, xvfb, g++, cmake, ninja-build, pkg-config, glslang-dev, spirv-tools, libspirv-cross-c-shared-dev, libvulkan-dev, \
+libopenexr-dev, libpng-dev, libjpeg-dev, libembree-dev, libmeshoptimizer-dev, libdraco-dev, libopenmesh-dev, libglm-dev, libfmt-dev, nlohmann-json3-dev, \
+libxxhash-dev, libtbb-dev")
 include(CPack)

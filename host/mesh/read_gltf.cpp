@@ -342,8 +342,8 @@ std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
         const auto index = reference.whole("index", SIZE_MAX, {});
         if (!index) return index.error();
         // One set of coordinates is drawn with: the colour map's (read_gltf.cpp).
-        const Json& base = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"].json();
-        if (reference["extensions"]["KHR_texture_transform"].json() != base)
+        const GltfValue base = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"];
+        if (reference["extensions"]["KHR_texture_transform"].json() != base.json())
             warn(mesh, 5323, document_.source().whole(),
                  reference.path() + ": its KHR_texture_transform is not the colour map's, and is ignored");
         return addTexture(role, *index, reference, mesh);

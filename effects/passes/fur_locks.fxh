@@ -221,7 +221,7 @@ float3 lockLight(LockPoint p, float3 toLight, float3 color, float open, float un
     return color * open * (diffuse + shine + through * p.albedo);
 }
 
-// Light from all sides: of the sky and the ground, less what the coat around hides. up: unit. open: as above.
+// Light from all sides, for light of colour 1: of the sky and the ground, less what the coat around hides. up: unit.
 float3 lockSurroundings(LockPoint p, float3 up)
 {
     float3 shaded = 0.9 * p.normal + 0.36 * p.tangent; // as long as 1 where the tangent stands at 60 degrees
@@ -230,7 +230,7 @@ float3 lockSurroundings(LockPoint p, float3 up)
     return p.albedo * lerp(gCoatGround, gCoatSky, 0.5 + 0.5 * dot(shaded, up)) * (gap * gap);
 }
 
-// Light from behind and above, seen where the coat turns away and only thin fur stops it.
+// Likewise light from behind and above, seen where the coat turns away and only thin fur stops it.
 float3 lockRim(LockPoint p, float3 up)
 {
     float edge = 1.0 - saturate(dot(p.normal, p.toEye));
@@ -275,10 +275,10 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, up), under, gCoatVariation * (1.0 - far));
     p.shift = kLockShift * looks.more.y;
     float open = coatOpen(ribbonWorld(frame, seen, input), pixel);
-    float3 color = lockLight(p, tgSafeNormalize(ribbonToLight(frame, offset)), gLightColor, open, under) + lockSurroundings(p, up);
+    float3 lit = lockLight(p, tgSafeNormalize(ribbonToLight(frame, offset)), 1.0, open, under) + lockSurroundings(p, up);
     if (under < 0.5)
-        color += lockRim(p, up);
-    return WITH_LAMPS(color, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
+        lit += lockRim(p, up);
+    return WITH_LAMPS(lit * gLightColor, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
 }
 
 RibbonVarying lockVarying(VertexInput input, float child, float under)
@@ -373,7 +373,7 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     albedo = lerp(albedo, lerp(gCoatMidColor, 0.75 * gCoatBellyColor, belly), 0.5 * lockFar(pixel));
     float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world, pixel);
     float3 around = lerp(gCoatSky, gCoatGround, 0.5 + 0.5 * cosine);
-    return float4(albedo * (gLightColor * (0.5 * lit) + 0.12 * around), 1.0);
+    return float4(albedo * gLightColor * (0.5 * lit + 0.12 * around), 1.0);
 }
 
 #define LOCK_SHARE LOCK_SHARE_OF("gCoatThin")

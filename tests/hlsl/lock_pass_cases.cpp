@@ -80,6 +80,12 @@ struct Coloured {
     }
 };
 
+/// There is light, but skin before all strands: what surroundings throw back is left.
+void hide(FunctionCase& made) {
+    made.globals["gLightColor"] = numbersOf(kFurColour);
+    made.maps["gCoatSkinMap"] = oneTexel(1e-3F);
+}
+
 std::vector<FunctionCase> colours() {
     const std::vector<Argument> arguments = {unit(),          unit(),           linear(-3, 3, 3), linear(0, 1, 2), vector(3, 100, 1500),
                                              linear(0, 1, 2), vector(3, 8, 20), whole(0, 1)};
@@ -108,15 +114,17 @@ std::vector<FunctionCase> colours() {
     add([](const Inputs& x) { // sky and ground alike: what the coat around leaves of them
         const Coloured c(x);
         const double gap = (0.2 + 0.8 * share(1.1 * c.up())) * (0.55 + 0.45 * share(1.4 * c.along));
-        return values(glm::dvec3(0.5, 0.6, 0.7) * c.albedo * gap * gap);
+        return values(kFurColour * glm::dvec3(0.5, 0.6, 0.7) * c.albedo * gap * gap);
     });
+    hide(cases.back());
     cases.back().globals["gCoatSky"] = cases.back().globals["gCoatGround"] = {0.5, 0.6, 0.7};
     add([](const Inputs& x) { // the rim, which underfur has none of
         const Coloured c(x);
         const double edge = 1 - share(glm::dot(c.normal, glm::normalize(c.toEye - c.offset)));
         const double above = share(0.6 + 0.4 * c.normal.y);
-        return values(x.scalar(7) > 0.5 ? glm::dvec3(0) : kLockRim * (0.05 + c.albedo) * edge * edge * c.along * above);
+        return values(x.scalar(7) > 0.5 ? glm::dvec3(0) : kFurColour * kLockRim * (0.05 + c.albedo) * edge * edge * c.along * above);
     });
+    hide(cases.back());
     cases.back().globals["gCoatRim"] = numbersOf(kLockRim);
     return cases;
 }

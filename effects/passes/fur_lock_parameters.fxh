@@ -35,11 +35,11 @@ float gTime : TIME < string UIWidget = "None"; string UIHelp = "seconds"; > = 0.
 float3 gCoatGusts < string UIName = "Gusts";
     string UIHelp = "share of the wind that comes and goes; in a second; in a mesh's radius"; > = { 0.5, 0.7, 0.8 };
 
-float3 gCoatSky < UI_COLOUR("Light from above") string UIHelp = "irradiance / pi, linear"; > = { 0.24, 0.28, 0.34 };
+float3 gCoatSky < UI_COLOUR("Light from above") string UIHelp = "share of the light, thrown back"; > = { 0.126, 0.156, 0.206 };
 float gCoatShadow < UI_SLIDER("Shadow", 0.0, 4.0, 0.01) string UIHelp = "of strands on strands"; > = 0.9;
-float3 gCoatGround < UI_COLOUR("Light from below") > = { 0.19, 0.15, 0.115 };
+float3 gCoatGround < UI_COLOUR("Light from below") string UIHelp = "likewise"; > = { 0.1, 0.083, 0.07 };
 float gCoatThrough < UI_SLIDER("Light through strands", 0.0, 2.0, 0.01) string UIHelp = "towards who looks against it"; > = 0.5;
-float3 gCoatRim < UI_COLOUR("Rim light") > = { 0.22, 0.235, 0.26 };
+float3 gCoatRim < UI_COLOUR("Rim light") string UIHelp = "likewise"; > = { 0.116, 0.131, 0.158 };
 float gCoatShine < UI_SLIDER("Shine", 0.0, 1.0, 0.01) string UIHelp = "highlight of the surface of strands"; > = 0.07;
 float gCoatSheen < UI_SLIDER("Sheen", 0.0, 1.0, 0.01) string UIHelp = "coloured highlight from inside strands"; > = 0.25;
 

@@ -228,7 +228,9 @@ FunctionCase lockNotes() {
         made.globals[name] = value;
     straighten(made);
     whiten(made);
-    setAll(made, {"gCoatSky", "gCoatGround"}, {1, 1, 1});
+    setAll(made, {"gCoatSky", "gCoatGround", "gLightColor"}, {1, 1, 1});
+    made.globals["gLightPosition"] = {0, 0, 1000};
+    made.maps["gCoatSkinMap"] = oneTexel(1e-3F); // before all strands: light from all sides is left
     setAll(made, {"gCoatWind", "gBoundingCenter"}, {0, 0, 0});
     made.globals["gCoatGuard"] = {0};
     made.globals["gCoatUnderLength"] = {1.2}; // as high as the others

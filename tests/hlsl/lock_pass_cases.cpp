@@ -59,7 +59,7 @@ FunctionCase lamps() {
 constexpr const char* kColourBody =
     "LockLooks l = (LockLooks)0; l.strand.normal = a0; l.waves = -1.0; l.more = float3(a5.x, 0, 0); l.lock = float3(0, a5.y, 0); "
     "l.random = 0.5; TgRibbon r; r.along = a3.x; r.shortness = a3.y; r.color = 0.25; RibbonFrame f = (RibbonFrame)0; f.toEye = a4; "
-    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, (VertexInput)0); return float4(color, 0);";
+    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, false, (VertexInput)0); return float4(color, 0);";
 
 /// Arguments as they stand in the body.
 struct Coloured {
@@ -79,6 +79,12 @@ struct Coloured {
         return isUnit(normal) && isUnit(tangent) && glm::length(toEye) > 10 && glm::length(toLight - offset) > 1;
     }
 };
+
+/// There is light, but skin before all strands: what surroundings throw back is left.
+void hide(FunctionCase& made) {
+    made.globals["gLightColor"] = numbersOf(kFurColour);
+    made.maps["gCoatSkinMap"] = oneTexel(1e-3F);
+}
 
 std::vector<FunctionCase> colours() {
     const std::vector<Argument> arguments = {unit(),          unit(),           linear(-3, 3, 3), linear(0, 1, 2), vector(3, 100, 1500),
@@ -108,15 +114,17 @@ std::vector<FunctionCase> colours() {
     add([](const Inputs& x) { // sky and ground alike: what the coat around leaves of them
         const Coloured c(x);
         const double gap = (0.2 + 0.8 * share(1.1 * c.up())) * (0.55 + 0.45 * share(1.4 * c.along));
-        return values(glm::dvec3(0.5, 0.6, 0.7) * c.albedo * gap * gap);
+        return values(kFurColour * glm::dvec3(0.5, 0.6, 0.7) * c.albedo * gap * gap);
     });
+    hide(cases.back());
     cases.back().globals["gCoatSky"] = cases.back().globals["gCoatGround"] = {0.5, 0.6, 0.7};
     add([](const Inputs& x) { // the rim, which underfur has none of
         const Coloured c(x);
         const double edge = 1 - share(glm::dot(c.normal, glm::normalize(c.toEye - c.offset)));
         const double above = share(0.6 + 0.4 * c.normal.y);
-        return values(x.scalar(7) > 0.5 ? glm::dvec3(0) : kLockRim * (0.05 + c.albedo) * edge * edge * c.along * above);
+        return values(x.scalar(7) > 0.5 ? glm::dvec3(0) : kFurColour * kLockRim * (0.05 + c.albedo) * edge * edge * c.along * above);
     });
+    hide(cases.back());
     cases.back().globals["gCoatRim"] = numbersOf(kLockRim);
     return cases;
 }
@@ -164,7 +172,7 @@ std::vector<FunctionCase> vertices() {
                          : LockShare(pixel, 0.7, 4, s.child + rootRank(s.address));
         };
         cases.push_back(lockCase("lockVarying",
-                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") +
+                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") + ", false" +
                                      "); return float4(v.edge, v.color.w, 0);",
                                  strandArguments(under ? 2 : 3),
                                  [=](const Inputs& x) {

@@ -105,7 +105,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any") # runs fetch.py
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers, python3-pip")
 # Microsoft's compiler runs in the first three; the others are what a program built against the libraries needs, docs/samples/client for one.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "wine, wine64, xvfb, g++, cmake, ninja-build, pkg-config, glslang-dev, spirv-tools, libspirv-cross-c-shared-dev, libvulkan-dev, \
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "wine, wine64, xvfb, g++, cmake, ninja-build, pkg-config, glslang-dev, glslang-tools, spirv-tools, libspirv-cross-c-shared-dev, libvulkan-dev, \
 libopenexr-dev, libpng-dev, libjpeg-dev, libembree-dev, libmeshoptimizer-dev, libdraco-dev, libopenmesh-dev, libglm-dev, libfmt-dev, nlohmann-json3-dev, \
 libxxhash-dev, libtbb-dev")
 include(CPack)

@@ -1,6 +1,6 @@
 #include "meshprep/portrait/portrait.h"
 
-#include "host/mesh/length.h"
+#include "host/mesh/extent.h"
 #include "host/support/text.h"
 #include "meshprep/portrait/surface_samples.h"
 

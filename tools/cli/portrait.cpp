@@ -1,6 +1,6 @@
 // tegument portrait: a head, however it lies in its file, as skin in a studio.
 
-#include "host/mesh/length.h"
+#include "host/mesh/extent.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"

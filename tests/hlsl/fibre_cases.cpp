@@ -1,7 +1,7 @@
 // hlsl/fur/fibre.fxh and the light of effects/passes/fur_fibre_light.fxh in double precision: a fibre by the near-field BCSDF of the path
-// tracer (lab/reference/fibre.h), averaged over its width; light scattered many times by the differential equations of two streams.
+// tracer (lab/reference/fibre_paths.h), averaged over its width; light scattered many times by the differential equations of two streams.
 
-#include "lab/reference/fibre.h"
+#include "lab/reference/fibre_paths.h"
 #include "tests/hlsl/lock_scene.h"
 #include "tests/hlsl/maps.h"
 

@@ -9,5 +9,4 @@
 #include "../hlsl/fur/cones.fxh"
 #include "../hlsl/fur/roots.fxh"
 #include "../hlsl/fur/ribbons.fxh"
-#include "../hlsl/fur/fibre.fxh"
 #include "../hlsl/fur/sweep.fxh"

@@ -51,7 +51,6 @@
 //   TEGUMENT_LOBES  0 (default); 1: skin mirrors by two lobes, as wide as the relief that its normal map loses with distance
 //   TEGUMENT_SLAB  0 (default); 1: d'Eon and Luebke's technique lets as much light through thin parts as simulated skin does
 //   TEGUMENT_RIBBON_ROWS    height of the maps in which fur by compute shaders is noted: 1,366 rows of strands each (2048, default)
-//   TEGUMENT_SAMPLES        1 (default); above: strands that are drawn by chance have one for each of a pixel's samples (SV_Coverage)
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 //   TEGUMENT_FUR_VERTEX_LIGHT  0 (default); 1 finds the light of Fur's layers at vertices, for meshes whose triangles are small
 
@@ -112,9 +111,6 @@
 #endif
 #ifndef TEGUMENT_RIBBON_ROWS
 #define TEGUMENT_RIBBON_ROWS 2048
-#endif
-#ifndef TEGUMENT_SAMPLES
-#define TEGUMENT_SAMPLES 1
 #endif
 #ifndef TEGUMENT_FUR_COLOR_MAP
 #define TEGUMENT_FUR_COLOR_MAP 0

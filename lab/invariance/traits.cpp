@@ -49,7 +49,6 @@ std::string apart(const Subject& subject, const Case& each) {
     if (each.asks == Asks::MirrorPicture && stem(subject) == "Culling") return "it shows four panels, which stay where they are";
     if (each.asks == Asks::MirrorPicture && (stem(subject) == "Burley" || subject.technique == "PreintegratedPenumbra"))
         return "its samples are turned from pixel to pixel, to one sense";
-    if (each.asks == Asks::MirrorPicture && subject.technique == "CoatChance") return "its chances differ from pixel to pixel";
     if (each.asks == Asks::MirrorPicture && stem(subject) == "Pyramid") return "the grid of its shadow taps is turned, to one sense";
     if (each.asks == Asks::MirrorPicture && each.lamps) return "the taps of penumbras are turned from texel to texel, to one sense";
     return {};

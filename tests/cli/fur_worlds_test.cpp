@@ -164,7 +164,7 @@ TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
     const auto written = [](const glm::dvec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z); };
     const std::string parallel = litBy("parallel.json", "\"direction\": " + written(-toLight));
     const std::string point = litBy("point.json", "\"position\": " + written(60 * kRadius * toLight));
-    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute", "CoatChance"}) {
+    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute"}) {
         const std::vector<double> far = blocks(drawn(technique, point));
         const std::vector<double> rays = blocks(drawn(technique, parallel));
         ASSERT_EQ(far.size(), rays.size());
@@ -185,37 +185,11 @@ TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
 
 TEST(FurLight, that_is_none_leaves_every_technique_black) {
     const std::map<std::string, std::vector<std::string>> all = {
-        {"FurCoat.fx", {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute", "CoatChance"}},
+        {"FurCoat.fx", {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute"}},
         {"FurRoots.fx", {"Cellular", "Roots"}},
         {"Fur.fx", {"CubePosition", "CubeNormal", "CubeCombined", "SpherePosition", "SphereNormal", "SphereCombined"}}};
     for (const auto& [effect, techniques] : all)
         for (const std::string& technique : techniques)
             EXPECT_EQ(brightest(effect, technique, {}), 0) << effect << ", " << technique;
     EXPECT_GT(brightest("FurCoat.fx", "CoatSoft", {"--set", "gLightColor=1,1,1"}), 0);
-}
-
-TEST(FurLight, of_fibres_is_the_same_by_each_compiler_and_for_each_sample) {
-    const std::string point = litBy("near.json", R"("position": [300, 400, 700])");
-    const auto fibres = [&](const char* compiler, const char* samples) {
-        return render("chance", {"effects/FurCoat.fx", "-t", "CoatChance", "-w", point, "--size", "128x128", "--compiler", compiler,
-                                 "--samples", samples, "-D", std::string("TEGUMENT_SAMPLES=") + samples, "-D", "TEGUMENT_MAP_SIZE=512"})
-            .image;
-    };
-    const auto mean = [](const Image& image) {
-        double sum = 0;
-        for (const float value : image.pixels)
-            sum += static_cast<double>(value) / static_cast<double>(image.pixels.size());
-        return sum;
-    };
-    const Image one = fibres("dxc", "1");
-    const Image other = fibres("glslang", "1");
-    ASSERT_EQ(one.pixels.size(), other.pixels.size());
-    double apart = 0, all = 0;
-    for (std::size_t i = 0; i < one.pixels.size(); ++i) {
-        apart += std::pow(static_cast<double>(one.pixels[i]) - static_cast<double>(other.pixels[i]), 2);
-        all += std::pow(static_cast<double>(one.pixels[i]), 2);
-    }
-    EXPECT_GT(all, 0);
-    EXPECT_LT(std::sqrt(apart / all), 0.02) << "chances are alike to the bit; edges differ by rounding";
-    EXPECT_NEAR(mean(fibres("dxc", "4")) / mean(one), 1, 0.03) << "each sample has its own chance";
 }

@@ -39,51 +39,56 @@ float tgLadderStep(float step, float density, float top)
     return step < 0.5 ? kTgLadderPixel : on ? level : 0.0;
 }
 
+// 1 where the number of a step, counted from the first of four, is `step`.
+float4 tgLadderAt(float first, float step)
+{
+    return saturate(1.0 - abs(float4(0.0, 1.0, 2.0, 3.0) + first - step));
+}
+
 // What a step weighs. profile: weights (RGB) and variance. For mixtures of centred Gaussians the integral of the squared difference of two
 // responses to a half-plane is the quadratic form -sum_ij c_i c_j sqrt((v_i + v_j) / (2 pi)), so that weight moves from one step to another
-// by an amount in closed form. All of it starts at the pixel.
+// by an amount in closed form. All of it starts at the pixel. Steps stand side by side, channels one after the other: shader model 3 has few
+// registers.
 float3 tgLadderWeight(float4 profile[6], float step, float density, float top)
 {
-    float variance[8];
-    float3 weight[8];
-    float3 slope[8];
-    [unroll] for (int i = 0; i < 8; i++)
+    float4 v0 = float4(tgLadderStep(0.0, density, top), tgLadderStep(1.0, density, top),
+                       tgLadderStep(2.0, density, top), tgLadderStep(3.0, density, top));
+    float4 v1 = float4(tgLadderStep(4.0, density, top), tgLadderStep(5.0, density, top),
+                       tgLadderStep(6.0, density, top), tgLadderStep(7.0, density, top));
+    float3 own = 0.0;
+    [loop] for (float c = 0.0; c < 3.0; c += 1.0)
     {
-        variance[i] = tgLadderStep(i, density, top);
-        weight[i] = 0.0;
-        slope[i] = 0.0;
-        [unroll] for (int j = 0; j < 6; j++)
-        {
-            weight[i] += i == 0 ? profile[j].rgb : float3(0.0, 0.0, 0.0);
-            slope[i] += profile[j].rgb * (sqrt(variance[i] + profile[j].w) - sqrt(variance[i] + kTgLadderPixel));
-        }
-    }
-    [loop] for (float turn = 0.0; turn < kTgLadderRounds; turn++)
-        [loop] for (float a = 1.0; a < kTgLadderSteps; a++)
-            [loop] for (float b = 0.0; b < a; b++)
+        float3 channel = tgLadderAt(0.0, c).xyz;
+        float4 weight0 = 0.0;
+        float4 weight1 = 0.0;
+        [unroll] for (int i = 0; i < 6; i++)
+            weight0.x += dot(profile[i].rgb, channel);
+        [loop] for (float turn = 0.0; turn < kTgLadderRounds; turn += 1.0)
+            [loop] for (float pair = 8.0; pair < 64.0; pair += 1.0)
             {
-                float2 pair = 0.0; // variances
-                float3 most = 0.0;
-                float3 least = 0.0;
-                float3 gain = 0.0;
-                [unroll] for (int k = 0; k < 8; k++)
+                float a = floor(pair / 8.0);
+                float b = pair - 8.0 * a;
+                float4 a0 = tgLadderAt(0.0, a);
+                float4 a1 = tgLadderAt(4.0, a);
+                float4 b0 = tgLadderAt(0.0, b);
+                float4 b1 = tgLadderAt(4.0, b);
+                float va = dot(v0, a0) + dot(v1, a1);
+                float vb = dot(v0, b0) + dot(v1, b1);
+                [branch] if (b < a && min(va, vb) > 0.0)
                 {
-                    pair += variance[k] * float2(k == a ? 1.0 : 0.0, k == b ? 1.0 : 0.0);
-                    most += k == b ? weight[k] : float3(0.0, 0.0, 0.0);
-                    least -= k == a ? weight[k] : float3(0.0, 0.0, 0.0);
-                    gain += slope[k] * (k == b ? 1.0 : k == a ? -1.0 : 0.0);
-                }
-                float curve = 2.0 * sqrt(pair.x + pair.y) - sqrt(2.0 * pair.x) - sqrt(2.0 * pair.y);
-                float3 moved = min(pair.x, pair.y) > 0.0 ? clamp(gain / curve, least, most) : float3(0.0, 0.0, 0.0);
-                [unroll] for (int s = 0; s < 8; s++)
-                {
-                    weight[s] += moved * (s == a ? 1.0 : s == b ? -1.0 : 0.0);
-                    slope[s] += moved * (sqrt(variance[s] + pair.y) - sqrt(variance[s] + pair.x));
+                    float gain = dot(weight0, sqrt(v0 + va) - sqrt(v0 + vb)) + dot(weight1, sqrt(v1 + va) - sqrt(v1 + vb));
+                    [unroll] for (int j = 0; j < 6; j++)
+                        gain += dot(profile[j].rgb, channel) * (sqrt(vb + profile[j].w) - sqrt(va + profile[j].w));
+                    float curve = 2.0 * sqrt(va + vb) - sqrt(2.0 * va) - sqrt(2.0 * vb);
+                    float most = dot(weight0, b0) + dot(weight1, b1);
+                    float least = -dot(weight0, a0) - dot(weight1, a1);
+                    float moved = clamp(gain / curve, least, most);
+                    weight0 += moved * (a0 - b0);
+                    weight1 += moved * (a1 - b1);
                 }
             }
-    float3 own = 0.0;
-    [unroll] for (int s = 0; s < 8; s++)
-        own += s == step ? weight[s] : float3(0.0, 0.0, 0.0);
+        own += channel * (dot(weight0, tgLadderAt(0.0, step)) + dot(weight1, tgLadderAt(4.0, step)));
+    }
     return max(own, 0.0);
 }
 

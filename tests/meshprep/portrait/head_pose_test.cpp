@@ -148,8 +148,8 @@ TEST(HeadPose, of_what_has_no_face_is_not_certain) {
     mesh.indices = ball.indices;
     const auto refused = layHead(mesh, {});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, 5336);
-    EXPECT_NE(refused.error().hint.find("--up="), std::string::npos) << refused.error().hint;
+    EXPECT_EQ(refused.error().diagnostics.at(0).code, 5336);
+    EXPECT_NE(refused.error().diagnostics.at(0).hint.find("--up="), std::string::npos) << format(refused.error());
     const auto told = layHead(mesh, {.up = glm::dvec3(0, 1, 0), .front = glm::dvec3(0, 0, 1)});
     ASSERT_TRUE(told) << "what is said is done";
     EXPECT_EQ(framedPoints(mesh, *told).size(), mesh.positions.size());

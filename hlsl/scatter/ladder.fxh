@@ -47,8 +47,7 @@ float4 tgLadderAt(float first, float step)
 
 // What a step weighs. profile: weights (RGB) and variance. For mixtures of centred Gaussians the integral of the squared difference of two
 // responses to a half-plane is the quadratic form -sum_ij c_i c_j sqrt((v_i + v_j) / (2 pi)), so that weight moves from one step to another
-// by an amount in closed form. All of it starts at the pixel. Steps stand side by side, channels one after the other: shader model 3 has few
-// registers.
+// by an amount in closed form. All of it starts at the pixel. Steps stand side by side, channels one after the other: registers are few.
 float3 tgLadderWeight(float4 profile[6], float step, float density, float top)
 {
     float4 v0 = float4(tgLadderStep(0.0, density, top), tgLadderStep(1.0, density, top),

@@ -73,7 +73,8 @@ glm::dvec3 weightBesideLinks(double step, double density, int mapSize) {
 glm::dvec4 levelAlone(const glm::dvec4& texel, double level, double density, bool linked, bool fourth, int mapSize) {
     const double d = std::clamp(density, 1e-4, 60000.0);
     glm::dvec3 weight = linked ? weightBesideLinks(level + 1, d, mapSize) : ladderAt(level + 1, d);
-    if (fourth && texel.w < 1) weight = glm::max(weight - (1 - texel.w) * ladderAt(16 + level + 1, d), 0.0); // what other charts send comes along links
+    if (fourth && texel.w < 1)
+        weight = glm::max(weight - (1 - texel.w) * ladderAt(16 + level + 1, d), 0.0); // what other charts send comes along links
     const glm::dvec3 light = texel.w > 0 ? glm::dvec3(texel) / texel.w : glm::dvec3(0);
     return {light * weight, linked ? -d : d};
 }

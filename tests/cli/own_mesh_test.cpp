@@ -1,6 +1,7 @@
 // A mesh of one's own and nothing else: fur, framing, unit, colour, no texture coordinates.
 
 #include "host/image/dds.h"
+#include "host/support/file.h"
 #include "tests/cli/picture.h"
 #include "tests/cli/program.h"
 
@@ -383,4 +384,49 @@ TEST(OwnMesh, gets_no_credit_that_a_workspace_gives_to_another) {
     EXPECT_EQ(draw("uncredited", {"Specular", "-w", workspace, "--mesh", own}).image.metadata.count("attribution"), 0U);
     EXPECT_EQ(draw("credited", {"Specular", "-w", workspace, "--mesh", theirs}).image.metadata.at("attribution"), "Someone Else");
     EXPECT_EQ(draw("credited_too", {"Specular", "-w", workspace}).image.metadata.at("attribution"), "Someone Else");
+}
+
+TEST(Portrait, of_a_head_is_whole_and_lit_in_any_aspect) {
+    const fs::path head = tegument::cacheFolder() / "human" / "human.glb";
+    if (!fs::exists(head)) GTEST_SKIP() << "no default head: tegument prep human";
+    for (const char* size : {"96x160", "160x96"}) {
+        const fs::path path = scratch() / (std::string(size) + ".exr");
+        const Ran ran = tegument::test::tegument(
+            {"portrait", head.string(), "--size", size, "--map-size", "128", "--samples", "1", "-o", path.string()});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        EXPECT_NE(ran.err.find("y is up and the face looks along z"), std::string::npos) << ran.err;
+        const auto image = tegument::loadImage(path);
+        ASSERT_TRUE(image);
+        const Covered c = covered(*image);
+        EXPECT_GT(c.top, 0) << size << ": the scalp is cut";
+        EXPECT_LT(c.bottom, image->height - 1) << size << ": the neck is cut";
+        EXPECT_GT(c.left, 0) << size;
+        EXPECT_LT(c.right, image->width - 1) << size;
+        EXPECT_GT(std::max((c.bottom - c.top) / double(image->height), (c.right - c.left) / double(image->width)), 0.7)
+            << "fills the picture";
+        int dark = 0;
+        for (int y = c.top; y <= c.bottom; ++y)
+            for (int x = c.left; x <= c.right; ++x)
+                dark += image->at(x, y, 3) > 0 && image->at(x, y, 0) < 0.01F ? 1 : 0;
+        EXPECT_LT(dark, c.count / 50) << size << ": a studio leaves no side black";
+    }
+}
+
+TEST(Portrait, of_what_is_no_head_is_refused_with_the_options_to_give) {
+    const Ran ran = tegument::test::tegument({"portrait", ballMesh(), "-o", out("ball.png")});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_NE(ran.err.find("TG5336"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("--up="), std::string::npos) << ran.err;
+    EXPECT_FALSE(fs::exists(out("ball.png")));
+}
+
+TEST(Switches, are_set_like_parameters) {
+    const Drawn by = draw("by_set", {"Specular", "--mesh", ballMesh(), "--set", "TEGUMENT_LAMPS=1", "--set", "gLightColor=0,0,0"});
+    const Drawn defined = draw("by_define", {"Specular", "--mesh", ballMesh(), "-D", "TEGUMENT_LAMPS=1", "--set", "gLightColor=0,0,0"});
+    ASSERT_EQ(by.ran.code, 0) << by.ran.err;
+    ASSERT_EQ(defined.ran.code, 0) << defined.ran.err;
+    EXPECT_EQ(by.image.pixels, defined.image.pixels);
+    const Ran near = tegument::test::tegument({"render", "Specular", "--mesh", ballMesh(), "--set", "TEGUMENT_LAMP=1", "-o", out("x.png")});
+    EXPECT_NE(near.code, 0);
+    EXPECT_NE(near.err.find("TEGUMENT_LAMPS"), std::string::npos) << near.err;
 }

@@ -50,7 +50,7 @@ class Program:
     def parameters(self, effect, defines=()):
         """None where the program cannot read the effect."""
         text = self.output("info", effect, "--json", *(word for name in defines for word in ("-D", name)))
-        return {parameter["name"] for parameter in json.loads(text)["parameters"]} if text else None
+        return {one["name"] for one in json.loads(text)["parameters"] + json.loads(text).get("switches", [])} if text else None
 
     def subcommand(self, words):
         """The words at the beginning that are commands: `prep human`, `fur roots`, or one."""
@@ -78,7 +78,8 @@ def faults_of_effect(program, words):
         yield f"{name} has no preset {preset}"
     if workspace and "." not in workspace and workspace not in program.workspaces():
         yield f"no workspace {workspace}"
-    defines = tuple(words[i + 1] for i, word in enumerate(words[:-1]) if word in ("-D", "--define"))
+    pairs = list(zip(words, words[1:]))
+    defines = tuple(given for option, given in pairs if option in ("-D", "--define") or option in ("-s", "--set") and given.startswith("TEGUMENT_"))
     for i, word in enumerate(words):
         parameter = words[i + 1].split("=")[0] if word in ("-s", "--set") else ""
         known = program.parameters(effect["name"], defines) if parameter else None

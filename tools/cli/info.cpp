@@ -45,6 +45,11 @@ Json passJson(const Pass& pass) {
     return json;
 }
 
+/// Of an effect of ours; another's macros are not known.
+std::vector<assets::Switch> switchesOf(const Effect& effect) {
+    return effect.settings && effect.settings->define == "TEGUMENT_SETTING" ? assets::switches() : std::vector<assets::Switch>();
+}
+
 Json effectJson(const Effect& effect) {
     Json json{{"file", effect.file.string()}, {"parameters", Json::array()}, {"targets", Json::array()}, {"techniques", Json::array()}};
     for (const Parameter& parameter : effect.parameters)
@@ -62,6 +67,9 @@ Json effectJson(const Effect& effect) {
         effect.settings
             ? Json{{"switch", effect.settings->define}, {"names", effect.settings->names}, {"current", effect.settings->current}}
             : Json(nullptr);
+    json["switches"] = Json::array();
+    for (const assets::Switch& one : switchesOf(effect))
+        json["switches"].push_back({{"name", one.name}, {"most", one.most}, {"help", one.meaning}});
     json["script"] = global ? Json(global->annotations.string("Script").value_or("")) : Json(nullptr);
     return json;
 }
@@ -262,10 +270,9 @@ void printEffect(const Effect& effect, bool all) {
     printRows("to turn (--set NAME=VALUE): type, range, default, what it is and its unit", tunables);
     printRows("textures (--set NAME=FILE)", textures);
     std::vector<std::vector<std::string>> switched;
-    for (const assets::Switch& one : assets::switches())
+    for (const assets::Switch& one : switchesOf(effect))
         switched.push_back({one.name, fmt::format("0..{}", one.most), one.meaning});
-    if (effect.settings && effect.settings->define == "TEGUMENT_SETTING")
-        printRows("switches (--set NAME=VALUE): range, what they do", switched);
+    printRows("switches (--set NAME=VALUE): range, what they do", switched);
     if (all) printRows("internal parameters: type, semantic, default", internals);
     if (all) printRows("targets: size, format", targets);
     for (const Technique& technique : effect.techniques)

@@ -222,7 +222,7 @@ FunctionCase undercoat() {
             const glm::dvec3 albedo = glm::mix(near, glm::mix(kLockMid, 0.75 * kLockPale, belly), 0.5 * far);
             const double lit = std::clamp(0.3 + 0.7 * glm::dot(normal, glm::normalize(kFurLamp - world)), 0.0, 1.0) * openAt(world);
             const glm::dvec3 around = glm::mix(kLockSky, kLockGround, 0.5 + 0.5 * below);
-            return values(glm::dvec4(albedo * (0.5 * lit * kFurColour + 0.12 * around), 1));
+            return values(glm::dvec4(albedo * (kFurColour * (0.5 * lit + 0.12 * around)), 1));
         },
         {.forward = 16, .backward = 4, .absolute = 1e-4, .why = "the share of light that comes, as in coatOpen"});
     made.map = &kMaps;

@@ -294,7 +294,7 @@ private:
     PieceTimes pieces_;
     std::chrono::steady_clock::time_point pieceBegan_;
     double longestPiece_ = 0;                     // milliseconds in which the viewer did not answer
-    bool interrupted_ = false;                    // of a replay: somebody drags, each piece is the last for now
+    bool interrupted_ = false;                    // of a replay: while a drag goes on, each piece is the last for now
     bool broken_ = false;                         // what was asked for last has no picture
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two

@@ -140,6 +140,17 @@ std::vector<FunctionCase> ladderCases() {
                          },
                      .tolerance = {.forward = 8, .backward = 2, .why = "a power of two, two sums and a quotient"},
                      .domain = [](const Inputs& x) { return !undecided(x.scalar(1)); }});
+    cases.push_back({.function = "tgLadderAt",
+                     .body = "return tgLadderAt(4.0 * a0, a1);",
+                     .arguments = {whole(0, 1), whole(0, 7)},
+                     .expected =
+                         [](const Inputs& x) {
+                             Values at = {};
+                             for (int i = 0; i < 4; ++i)
+                                 at[static_cast<std::size_t>(i)] = 4 * x.scalar(0) + i == x.scalar(1) ? 1 : 0;
+                             return at;
+                         },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "whole numbers"}});
     cases.push_back({.function = "tgLadderWeight", // one Gaussian: what goes farther than a2 mm
                      .body = "float4 p[6] = {{1,1,1,a0},{0,0,0,1},{0,0,0,1},{0,0,0,1},{0,0,0,1},{0,0,0,1}}; float far = 0; "
                              "for (float s = 0; s < 8; s++) { float v = tgLadderStep(s, a1, 6.0); "

@@ -209,7 +209,7 @@ TEST_F(Verify, a_device_s_corners_are_exact_or_on_a_grid_that_explains_them) {
 using FurOnBall = Verify;
 
 TEST_F(FurOnBall, few_layers_show_straight_strands_as_exact_rays_meet_them) {
-    // Figures for more tilts, layers, and a torus: fur_bodies (docs/design/fur-layers.md, "Against exact strands").
+    // Figures for more tilts, layers, and a torus: docs/design/fur-layers.md, "Against exact strands".
     const auto fur = measure::BodyFur::create(*device_, {.radius = 1}, {.spacing = 0.04, .length = 0.12});
     ASSERT_TRUE(fur) << format(fur.error());
     const measure::BodyView view{.tilt = std::numbers::pi / 3, .size = 24, .samples = 4};

@@ -9,3 +9,6 @@ execute_process(COMMAND date --utc --rfc-email --date ${CMAKE_MATCH_1} OUTPUT_VA
 set(changelog ${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}/share/doc/tegument/changelog)
 file(WRITE ${changelog} "tegument (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium\n\n  * CHANGELOG.md beside this file says what is new.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${date}")
 execute_process(COMMAND gzip -9nf ${changelog} ${manuals} COMMAND_ERROR_IS_FATAL ANY)
+# Where Debian's zsh looks.
+set(share ${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}/share/zsh)
+file(RENAME ${share}/site-functions ${share}/vendor-completions)

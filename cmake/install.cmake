@@ -62,9 +62,18 @@ install(DIRECTORY docs DESTINATION share/doc/tegument)
 if(NOT TARGET tegument)
   return()
 endif()
-install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1\")
-  execute_process(COMMAND \"$<TARGET_FILE:tegument>\" help --man OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tegument.1\"
-                  COMMAND_ERROR_IS_FATAL ANY)")
+# The manual page, and completions where each shell looks for them.
+foreach(made IN ITEMS "--man man/man1 tegument.1" "--completion=bash bash-completion/completions tegument" "--completion=zsh zsh/site-functions _tegument"
+        "--completion=fish fish/vendor_completions.d tegument.fish")
+  string(REPLACE " " ";" made ${made})
+  list(GET made 0 option)
+  list(GET made 1 folder)
+  list(GET made 2 file)
+  install(CODE "set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/${folder}\")
+    file(MAKE_DIRECTORY \"\${folder}\")
+    execute_process(COMMAND \"$<TARGET_FILE:tegument>\" help ${option} WORKING_DIRECTORY \"${PROJECT_SOURCE_DIR}\" OUTPUT_FILE \"\${folder}/${file}\"
+                    COMMAND_ERROR_IS_FATAL ANY)")
+endforeach()
 
 # The functions of hlsl/ as one header.
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hlsl/*.fxh)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -231,6 +232,41 @@ TEST(Help, of_every_command_fits_into_100_columns_and_has_examples_of_its_own) {
         EXPECT_TRUE(examples.insert(ran.out.substr(at)).second) << name << " has the examples of another command";
         EXPECT_NE(ran.out.find("\n  tegument " + fmt::format("{}", arguments[1]), at), std::string::npos) << name;
     }
+}
+
+/// What bash offers behind these words.
+std::vector<std::string> offered(const std::vector<std::string>& words) {
+    static const std::string kScript = write("completion.bash", tegument({"help", "--completion", "bash"}).out);
+    const std::string file = out("offered.txt");
+    const std::string command = fmt::format(
+        "bash -c 'source \"$0\"; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _tegument; printf \"%s\\n\" \"${{COMPREPLY[@]}}\"' "
+        "'{}' '{}' >'{}'",
+        kScript, fmt::join(words, "' '"), file);
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::ifstream in(file);
+    return lines({std::istreambuf_iterator<char>(in), {}});
+}
+
+TEST(Help, completions_name_every_command_its_options_and_effects) {
+    const auto commands = commandsBelow({});
+    ASSERT_GT(commands.size(), 20U);
+    for (auto command : commands) {
+        command.insert(command.begin(), "tegument");
+        const std::string last = command.back();
+        const auto named = offered(command);
+        EXPECT_NE(std::ranges::find(named, last), named.end()) << last;
+        command.emplace_back("--he");
+        EXPECT_EQ(offered(command), std::vector<std::string>{"--help"}) << last;
+    }
+    EXPECT_EQ(offered({"tegument", "render", "Stret"}), std::vector<std::string>{"Stretch"});
+    EXPECT_EQ(offered({"tegument", "render", "Main", "--techn"}), std::vector<std::string>{"--technique"});
+    for (const char* shell : {"zsh", "fish"}) {
+        const Ran ran = tegument({"help", "--completion", shell});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        for (const auto& command : commands)
+            EXPECT_NE(ran.out.find(command.back()), std::string::npos) << shell << ": " << command.back();
+    }
+    expectSaid(tegument({"help", "--completion", "bahs"}), kUsage, {"TG8005", "did you mean 'bash'?"});
 }
 
 TEST(Help, says_what_the_exit_codes_mean) {

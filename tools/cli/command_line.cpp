@@ -261,9 +261,15 @@ void setUpHelp(CLI::App& program, Action& action) {
     command->add_option("command", *topics, "The command, for example: render, or: fur roots");
     auto manual = std::make_shared<bool>(false);
     command->add_flag("--man", *manual, "Print the manual page, tegument(1), of all commands");
-    addExamples(*command, {{"help render", ""}, {"help fur roots", ""}, {"help --man | man -l -", ""}});
-    command->callback([&program, topics, manual, &action] {
-        action = [&program, topics, manual] { return *manual ? printManual(program) : printHelp(program, *topics); };
+    auto shell = std::make_shared<std::string>();
+    command->add_option("--completion", *shell, "Print completions for a shell: bash, zsh, fish")->transform(oneOf({"bash", "zsh", "fish"}));
+    addExamples(*command, {{"help render", ""}, {"help fur roots", ""}, {"help --man | man -l -", ""}, {"help --completion bash", ""}});
+    command->callback([&program, topics, manual, shell, &action] {
+        action = [&program, topics, manual, shell] {
+            if (shell->empty()) return *manual ? printManual(program) : printHelp(program, *topics);
+            fmt::print("{}", completion(program, *shell));
+            return 0;
+        };
     });
 }
 

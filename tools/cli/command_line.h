@@ -16,6 +16,9 @@ namespace tegument::app {
 /// Help in 100 columns, the subcommand `help`, and no examples of another command.
 void setUpHelp(CLI::App& program, Action& action);
 
+/// A script of completions for `bash`, `zsh` or `fish`: all commands, their options, and the effects that are known here.
+[[nodiscard]] std::string completion(const CLI::App& program, const std::string& shell);
+
 /// Reads the command line. The exit code where nothing is left to do: help or the version was printed, or TG8003 no such command,
 /// TG8004 no such option, TG8005 anything else.
 [[nodiscard]] std::optional<int> parse(CLI::App& program, int argc, char** argv);

@@ -128,3 +128,4 @@ technique WhitePoisson < string Script =
     TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -148,3 +148,4 @@ technique PrePass < string Formerly = "ReachDEonLuebke, ReachGosselin"; string S
     TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -32,3 +32,4 @@ technique EnergyAttenuation < string Script =
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -40,3 +40,4 @@ FUR_TECHNIQUE(SpherePosition, SpherePositionPS)
 FUR_TECHNIQUE(SphereNormal, SphereNormalPS)
 FUR_TECHNIQUE(SphereCombined, SphereCombinedPS)
 #endif
+// SPDX-License-Identifier: MIT

@@ -65,3 +65,4 @@ technique CoatCompute < string Script = COAT_COMPUTE_SCRIPT; >
     COAT_COMPUTE_PASSES
 }
 #endif
+// SPDX-License-Identifier: MIT

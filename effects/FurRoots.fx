@@ -36,3 +36,4 @@ technique name < string Script = \
 STRANDS_TECHNIQUE(Cellular, CellularEndVS, CellularBehindVS, CellularVS, CellularPS)
 STRANDS_TECHNIQUE(Roots, RootsEndVS, RootsBehindVS, RootsVS, RootsPS)
 #endif
+// SPDX-License-Identifier: MIT

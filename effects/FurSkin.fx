@@ -72,3 +72,4 @@ technique Hair < string Script =
     TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, RibbonSoftFringePS, TG_STATE_FRINGE)
 }
 #endif
+// SPDX-License-Identifier: MIT

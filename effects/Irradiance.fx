@@ -56,3 +56,4 @@ technique IrradianceGosselin < string Script =
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -93,3 +93,4 @@ technique Lambert < string Script =
     LIGHTS_PASSES(Lambert, SurfaceVS)
 }
 #endif
+// SPDX-License-Identifier: MIT

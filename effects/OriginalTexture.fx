@@ -35,3 +35,4 @@ technique OriginalTexture < string Script = "RenderColorTarget0=; RenderDepthSte
     TG_MESH_PASS(Texture, TextureVS, TexturePS, TG_STATE_SOLID)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -83,3 +83,4 @@ technique PyramidCompute < string Script =
     PLACE_PASSES
 }
 #endif
+// SPDX-License-Identifier: MIT

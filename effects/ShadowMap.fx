@@ -47,3 +47,4 @@ technique Shadow < string Script =
     TG_MESH_PASS(Shadow, SurfaceVS, ShadowPS, TG_STATE_SOLID)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -67,3 +67,4 @@ technique SpecularSmooth < string Script =
     TG_MESH_PASS(Specular, SurfaceVS, SpecularSmoothPS, TG_STATE_SOLID)
 }
 #endif
+// SPDX-License-Identifier: MIT

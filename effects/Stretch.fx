@@ -63,3 +63,4 @@ technique Stretch < string Script =
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
+// SPDX-License-Identifier: MIT

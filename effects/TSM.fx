@@ -26,3 +26,4 @@ technique TSM < string Script =
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
+// SPDX-License-Identifier: MIT

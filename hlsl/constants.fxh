@@ -37,3 +37,4 @@ static const bool kTgCullPerPixel = true;
 static const float kTgBlack = 2.0 / 255.0 / 12.92;
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -2,3 +2,4 @@
 #include "../hlsl/cull/visibility.fxh"
 #include "../hlsl/cull/outside.fxh"
 #include "../hlsl/printed/outside.fxh"
+// SPDX-License-Identifier: MIT

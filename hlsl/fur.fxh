@@ -10,3 +10,4 @@
 #include "../hlsl/fur/roots.fxh"
 #include "../hlsl/fur/ribbons.fxh"
 #include "../hlsl/fur/sweep.fxh"
+// SPDX-License-Identifier: MIT

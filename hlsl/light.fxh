@@ -4,3 +4,4 @@
 #include "../hlsl/surface/normal.fxh"
 #include "../hlsl/light/surroundings.fxh"
 #include "../hlsl/light/lamps.fxh"
+// SPDX-License-Identifier: MIT

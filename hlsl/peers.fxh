@@ -15,3 +15,4 @@
 #include "../hlsl/printed/preintegrated.fxh"
 #include "../hlsl/peers/preintegrated.fxh"
 #include "../hlsl/peers/penumbra.fxh"
+// SPDX-License-Identifier: MIT

@@ -212,3 +212,4 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -17,3 +17,4 @@
 #include "../hlsl/scatter/transmission.fxh"
 #include "../hlsl/scatter/slab.fxh"
 #include "../hlsl/printed/transmission.fxh"
+// SPDX-License-Identifier: MIT

@@ -214,3 +214,4 @@ static const bool kTgRepairSeams = TEGUMENT_SEAM_REPAIR == 1;
 static const float kTgStretchScale = 0.1 * 1024.0;
 
 #endif
+// SPDX-License-Identifier: MIT

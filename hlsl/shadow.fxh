@@ -7,3 +7,4 @@
 #include "../hlsl/shadow/planar.fxh"
 #include "../hlsl/shadow/blocks.fxh"
 #include "../hlsl/shadow/soft.fxh"
+// SPDX-License-Identifier: MIT

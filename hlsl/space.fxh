@@ -80,3 +80,4 @@ float tgLightSpread(float4x4 light, float unitMm)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -6,3 +6,4 @@
 #include "../hlsl/specular/lobes.fxh"
 #include "../hlsl/specular/energy.fxh"
 #include "../hlsl/printed/energy.fxh"
+// SPDX-License-Identifier: MIT

@@ -13,3 +13,4 @@
 #include "../hlsl/surface/unwrap.fxh"
 #include "../hlsl/surface/stretch.fxh"
 #include "../hlsl/surface/metric.fxh"
+// SPDX-License-Identifier: MIT

@@ -44,3 +44,4 @@
 #include "../hlsl/cull.fxh"
 #include "../hlsl/fur.fxh"
 #include "../hlsl/peers.fxh"
+// SPDX-License-Identifier: MIT

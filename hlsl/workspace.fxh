@@ -109,3 +109,4 @@ float tgLightSpread()
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -21,3 +21,4 @@
 #define PICTURE_DEPTH float2 ViewportRatio = { 1.0, 1.0 }; string Format = "D24S8";
 
 #endif
+// SPDX-License-Identifier: MIT

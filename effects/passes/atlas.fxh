@@ -12,3 +12,4 @@ TG_SAMPLER2D(gAtlasMeshNormal, POINT, CLAMP);
 TG_SAMPLER2D(gAtlasMetric, POINT, CLAMP);
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -9,3 +9,4 @@ float skinOpen(float3 world)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

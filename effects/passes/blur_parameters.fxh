@@ -10,3 +10,4 @@ int gBlurCount < string UIName = "Blurs"; string UIWidget = "Slider"; int UIMin 
 int gBlurIndex < string UIWidget = "None"; string UIHelp = "counted by the script"; > = -1;
 
 #endif
+// SPDX-License-Identifier: MIT

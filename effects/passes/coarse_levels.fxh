@@ -15,3 +15,4 @@ float linkedTop()
 }
 
 #endif
+// SPDX-License-Identifier: MIT

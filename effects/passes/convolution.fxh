@@ -88,3 +88,4 @@ CASCADE_STEP(5, gIrradiance5, gaussianWidth(4), gaussianWidth(5))
     TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, states)
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -88,3 +88,4 @@ float4 PrePass2PS(CullVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -18,3 +18,4 @@ float diffuseShare(float cosine)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -30,3 +30,4 @@ float3 mirroredLight(LitPoint p, float3 toEye)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -116,3 +116,4 @@ LIGHTS(Skin, SurfaceVarying)
 LIGHTS(Lambert, SurfaceVarying)
 
 #endif
+// SPDX-License-Identifier: MIT

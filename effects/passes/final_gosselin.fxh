@@ -62,3 +62,4 @@ LIGHTS(Gosselin, SurfaceVarying)
 LIGHTS(GosselinEven, SurfaceVarying)
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -11,3 +11,4 @@ bool fleshPasses()
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -83,3 +83,4 @@ float4 CellularPS(TG_PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

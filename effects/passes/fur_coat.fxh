@@ -198,3 +198,4 @@ float4 SkinPS(FurVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

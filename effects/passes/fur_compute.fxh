@@ -295,3 +295,4 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -62,3 +62,4 @@ float gCoatAfar < UI_SLIDER("Afar", 0.0, 4.0, 0.01)
 float gFurChild < string UIWidget = "None"; > = 0.0;
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -396,3 +396,4 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE) COAT_MOTION_PASSES
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -126,3 +126,4 @@ float4 RibbonMotionPS(RibbonVarying input) : SV_Target0
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

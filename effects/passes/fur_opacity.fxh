@@ -110,3 +110,4 @@ float coatOpen(float3 world, float pixel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -48,3 +48,4 @@ float gFurFringes < UI_CHECKBOX("Fringes")
                     "0: in one round"; > = TG_FUR_FRINGES;
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -53,3 +53,4 @@ TG_SAMPLER2D(gFurPoseBefore, POINT, CLAMP);
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -18,3 +18,4 @@ float gRibbonThin < UI_SLIDER("Thin", 0.0, 4.0, 0.01)
     string UIHelp = "pixels: where a strand is narrower it hides nothing, and is blended after all strands"; > = 0.7;
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -175,3 +175,4 @@ float4 RibbonSoftFringePS(RibbonVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -155,3 +155,4 @@ RibbonVarying StrandsCoreVS(VertexInput input)
     STRANDS_MOTION_PASSES
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -87,3 +87,4 @@ float4 RootsPS(TG_PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

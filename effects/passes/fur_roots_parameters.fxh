@@ -19,3 +19,4 @@ float gFurSegment < UI_SLIDER("Segment", 0.5, 16.0, 0.1)
 float gFurFewest < UI_SLIDER("Fewest layers", 1.0, 64.0, 1.0) string UIHelp = "drawn whatever the view"; > = 4.0;
 
 #endif
+// SPDX-License-Identifier: MIT

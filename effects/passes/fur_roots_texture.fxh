@@ -31,3 +31,4 @@ float4 furRootTexel(float2 texel, float number)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -35,3 +35,4 @@ float furInRound(float nearness, float2 pixel, float round)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -60,3 +60,4 @@ float4 CoatedSkinPS(FurVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

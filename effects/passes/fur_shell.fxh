@@ -222,3 +222,4 @@ float4 SphereCombinedPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

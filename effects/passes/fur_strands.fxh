@@ -324,3 +324,4 @@ float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -7,3 +7,4 @@ Texture2D gFurRootsMap < string Generator = "hair roots"; float4 Fallback = { 0.
 TG_SAMPLER2D(gFurRoots, POINT, CLAMP);
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -11,3 +11,4 @@ float skinOpen(float3 world)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -33,3 +33,4 @@ float4 IrradiancePS(SurfaceVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

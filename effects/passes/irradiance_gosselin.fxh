@@ -27,3 +27,4 @@ float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -57,3 +57,4 @@ Lamp lampAt(int i, float3 world, float3 seen)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -202,3 +202,4 @@ float3 lampsSeen(float2 uv)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -148,3 +148,4 @@ float4 prefix##light##PS(varying input) : SV_Target0 \
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

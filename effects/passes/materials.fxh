@@ -6,3 +6,4 @@ Texture2D gSkinMap : DIFFUSE < string ColorSpace = "sRGB"; float4 Fallback = { 0
 TG_SAMPLER2D_SRGB(gSkin, LINEAR, CLAMP);
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -62,3 +62,4 @@ float4 surroundingsLight(float2 uv, float3 normal, float3 meshNormal)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -98,3 +98,4 @@ float3 moreReflected(LitPoint p, float3 toEye)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

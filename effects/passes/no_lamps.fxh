@@ -17,3 +17,4 @@ Lamp lampAt(int i, float3 world, float3 seen)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -54,3 +54,4 @@ PlanarPlace planarPlace(LitPoint p, float2 slope, float texels)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

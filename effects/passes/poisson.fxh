@@ -52,3 +52,4 @@ BLUR_STEP(6, gBlurOdd, 5.0)
     TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, states)
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -22,3 +22,4 @@ float gaussianWidth(int i)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -225,3 +225,4 @@ PYRAMID_LEVEL(0, 1)
 #define LEVEL_PASS(level) TG_QUAD_PASS(Light##level, QuadVS, Light##level##PS, TG_STATE_BUFFER)
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -311,3 +311,4 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -107,3 +107,4 @@ LIGHTS(Pyramid, FinalVarying)
     LIGHTS_PASSES(Pyramid, PyramidFinalVS)
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -29,3 +29,4 @@ float3 ladderWeight(float row, float density)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

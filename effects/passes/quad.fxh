@@ -17,3 +17,4 @@ QuadVarying QuadVS(TgQuadInput input)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -7,3 +7,4 @@ int gRelight < string UIName = "Light, pose or skin have changed"; string UIWidg
 #define LIGHT_SCRIPT(script) "LoopByCount=gRelight;" script "LoopEnd;"
 
 #endif
+// SPDX-License-Identifier: MIT

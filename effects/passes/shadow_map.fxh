@@ -35,3 +35,4 @@ float4 ShadowMapPS(ShadowVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

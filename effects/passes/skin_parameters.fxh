@@ -10,3 +10,4 @@ float gTransmission < UI_SLIDER("Transmission", 0.0, 1.0, 0.01) string UIHelp = 
 int gUsePrePass < string UIName = "Cull texels that do not show"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1; > = 0;
 
 #endif
+// SPDX-License-Identifier: MIT

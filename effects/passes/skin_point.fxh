@@ -52,3 +52,4 @@ float4 lightEntry(LitPoint p)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -42,3 +42,4 @@ float3 reflectedLight(LitPoint p, float3 toEye)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

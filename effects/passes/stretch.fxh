@@ -6,3 +6,4 @@ Texture2D gStretchMap < string Producer = "Stretch.fx/gStretchMap"; string Resou
 TG_SAMPLER2D(gStretch, POINT, CLAMP);
 
 #endif
+// SPDX-License-Identifier: MIT

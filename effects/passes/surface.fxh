@@ -112,3 +112,4 @@ float surfaceShadow(TG_SAMPLER2D_PARAM(map), LitPoint p)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -37,3 +37,4 @@ float4 TsmPS(TsmVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

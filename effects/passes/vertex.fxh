@@ -102,3 +102,4 @@ float3 vertexTurnedBackBefore(float3 posed, VertexInput input)
 #endif
 
 #endif
+// SPDX-License-Identifier: MIT

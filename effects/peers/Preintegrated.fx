@@ -76,3 +76,4 @@ technique PreintegratedPenumbra < string Script =
     LIGHTS_PASSES(Preintegrated, SurfaceVS)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -38,3 +38,4 @@ technique PreintegratedTable < string Script =
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
+// SPDX-License-Identifier: MIT

@@ -14,3 +14,4 @@ bool tgCullOutsideView(float4 clip)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

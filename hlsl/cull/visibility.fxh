@@ -34,3 +34,4 @@ bool tgCullBlack(float3 colour)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -56,3 +56,4 @@ float tgFurMeanCoverage(float mean, float2 heights, float variance, float softne
 }
 
 #endif
+// SPDX-License-Identifier: MIT

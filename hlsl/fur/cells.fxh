@@ -58,3 +58,4 @@ float3 tgFurTuft(float3 position)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -43,3 +43,4 @@ float2 tgFurCone(float3 from, float3 along, float radius, float growth, float wi
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -74,3 +74,4 @@ float tgFurForeignCoat(float place, float front, float back, float own, float th
 }
 
 #endif
+// SPDX-License-Identifier: MIT

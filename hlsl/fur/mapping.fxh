@@ -41,3 +41,4 @@ float2 tgFurSphereCoordinate(float3 v)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

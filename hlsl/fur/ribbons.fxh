@@ -79,3 +79,4 @@ float2 tgFurHighlights(float3 strand, float3 normal, float3 toLight, float3 toEy
 }
 
 #endif
+// SPDX-License-Identifier: MIT

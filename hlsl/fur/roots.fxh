@@ -95,3 +95,4 @@ float4 tgFurRootCoat(TG_SAMPLER2D_PARAM(roots), float3 place, float4 origin, flo
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -64,3 +64,4 @@ float tgFurLayerCoverage(float coverage, float layers)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -103,3 +103,4 @@ float tgFurExpected(float density, float2 radius, float way)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -86,3 +86,4 @@ float4 tgLampClip(TgLampView view, float3 world)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -48,3 +48,4 @@ float tgSurroundingsReflectedShare(float cosine, float open, float roughness)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -71,3 +71,4 @@ float4 tgBurleyGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), floa
 }
 
 #endif
+// SPDX-License-Identifier: MIT

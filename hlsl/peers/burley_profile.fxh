@@ -25,3 +25,4 @@ float3 tgBurleyPolar(float r, float3 d)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -70,3 +70,4 @@ float3 tgPenumbraShadow(float4 gaussians[6], float sharp, float share, float rad
 }
 
 #endif
+// SPDX-License-Identifier: MIT

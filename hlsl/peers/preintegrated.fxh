@@ -81,3 +81,4 @@ float tgPreintegratedTolerance(float cosine, float curvature)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -34,3 +34,4 @@ float tgPreintegratedPair(float angle, float arc)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

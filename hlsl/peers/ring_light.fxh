@@ -34,3 +34,4 @@ float tgPreintegratedCurvature(float3 normal, float3 world)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -66,3 +66,4 @@ float tgScreenNoise(float2 pixel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -75,3 +75,4 @@ float4 tgSeparableConvolve(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth),
 }
 
 #endif
+// SPDX-License-Identifier: MIT

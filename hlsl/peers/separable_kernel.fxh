@@ -67,3 +67,4 @@ float tgSeparableShare(float3 way, float3 along, float scale)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

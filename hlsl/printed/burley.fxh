@@ -28,3 +28,4 @@ float2 tgBurleyPlace(float2 at, float2 pixel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -38,3 +38,4 @@ static const bool kTgConvolveIncrement = true;
 static const bool kTgIgnoreStretchOutside = false;
 
 #endif
+// SPDX-License-Identifier: MIT

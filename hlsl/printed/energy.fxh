@@ -60,3 +60,4 @@ float tgEnergyAlbedo(float texel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -72,3 +72,4 @@ float2 tgGaussianDensity(float4 stretch)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

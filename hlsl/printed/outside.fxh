@@ -16,3 +16,4 @@ bool tgCullOutsideView(float4 clip)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

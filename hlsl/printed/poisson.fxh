@@ -47,3 +47,4 @@ float4 tgPoissonBlur(TG_SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 r
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -40,3 +40,4 @@ float tgPreintegratedCurvature(float3 normal, float3 world)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -39,3 +39,4 @@ static const bool kTgConvolveIncrement = false;
 static const bool kTgIgnoreStretchOutside = true;
 
 #endif
+// SPDX-License-Identifier: MIT

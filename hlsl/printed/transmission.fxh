@@ -30,3 +30,4 @@ float tgTransmissionShare(float thickness, float variance, float apart)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -9,3 +9,4 @@ static const float2 kTgPoissonDisc[12] = {
 };
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -24,3 +24,4 @@ float3 tgFleshShare(float3 flesh, float curvature, float variance)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -76,3 +76,4 @@ float2 tgGaussianDensity(float4 stretch)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

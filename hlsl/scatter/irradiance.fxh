@@ -26,3 +26,4 @@ float3 tgIrradianceEntering(float3 albedo, float mix, float3 light, float cosine
 }
 
 #endif
+// SPDX-License-Identifier: MIT

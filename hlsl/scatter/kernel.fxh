@@ -23,3 +23,4 @@ float tgGaussianReach(float spacing, float4 stretch)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

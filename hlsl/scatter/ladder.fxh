@@ -105,3 +105,4 @@ float tgLadderDensity(float u)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

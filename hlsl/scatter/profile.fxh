@@ -10,3 +10,4 @@ static const float4 kTgSkinProfile[6] = {
 static const float kTgSkinWidth[6] = { 0.080, 0.220, 0.432, 0.753, 1.411, 2.722 };
 
 #endif
+// SPDX-License-Identifier: MIT

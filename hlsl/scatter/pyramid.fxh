@@ -51,3 +51,4 @@ float4 tgPyramidRound(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float leve
 }
 
 #endif
+// SPDX-License-Identifier: MIT

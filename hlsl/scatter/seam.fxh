@@ -38,3 +38,4 @@ float4 tgSeamBilinear(TG_SAMPLER2D_PARAM(map), float2 uv)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -23,3 +23,4 @@ float3 tgSlabPassed(float thickness)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -30,3 +30,4 @@ float tgTransmissionScale(float3 world, float2 uv)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

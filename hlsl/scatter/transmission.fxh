@@ -34,3 +34,4 @@ float tgTransmissionShare(float thickness, float variance, float apart)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

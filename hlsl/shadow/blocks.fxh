@@ -94,3 +94,4 @@ float tgShadowBlocks(TG_SAMPLER2D_PARAM(blocks), float2 coordinate, float depth,
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -85,3 +85,4 @@ float3 tgTsmAcross(float3 axis, float3 back, float3 toLight)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

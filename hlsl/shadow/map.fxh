@@ -48,3 +48,4 @@ float tgShadowLit(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -116,3 +116,4 @@ float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, f
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -152,3 +152,4 @@ float tgShadowSoft(TG_SAMPLER2D_PARAM(map), TG_SAMPLER2D_PARAM(blocks), float2 c
 }
 
 #endif
+// SPDX-License-Identifier: MIT

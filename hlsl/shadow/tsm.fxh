@@ -61,3 +61,4 @@ float4 tgTsmEntry(TG_SAMPLER2D_PARAM(tsm), float2 coordinate)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -26,3 +26,4 @@ float tgBeckmannDecode(float texel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

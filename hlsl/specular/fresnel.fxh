@@ -10,3 +10,4 @@ float tgFresnelSchlick(float cosine, float f0)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

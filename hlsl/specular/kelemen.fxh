@@ -29,3 +29,4 @@ float tgKelemenSpecular(float3 normal, float3 toLight, float3 toEye, float rough
 }
 
 #endif
+// SPDX-License-Identifier: MIT

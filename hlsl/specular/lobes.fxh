@@ -36,3 +36,4 @@ float tgTwoLobes(float3 normal, float3 toLight, float3 toEye, float2 roughness, 
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -16,3 +16,4 @@ float tgHalvesSum(float2 halves)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

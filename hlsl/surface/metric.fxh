@@ -27,3 +27,4 @@ float3 tgMetric(float3 alongU, float3 alongV)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

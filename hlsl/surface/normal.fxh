@@ -34,3 +34,4 @@ float3 tgSurfaceNormal(float3 normal, float4 tangent, float3 texel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -22,3 +22,4 @@ float2 tgStretchUvPerMillimetre(float4 texel)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

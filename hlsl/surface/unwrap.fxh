@@ -8,3 +8,4 @@ float4 tgUnwrapPosition(float2 uv, float z)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

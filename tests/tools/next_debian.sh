@@ -47,5 +47,5 @@ case "${1-} $#" in
         exec unshare --mount --propagation private "$0" inside "$2" bash -c "$versions && exec python3 tests/tools/listened.py build/release \"\$@\"" - "${@:3}"
         ;;
     "inside "*) inside "${@:2}" ;;
-    *) sed -n '2,/^[^#]/{/SPDX/!s/^# *//p}' "$0" >&2 && exit 2 ;;
+    *) sed -n '2,/^[^#]/s/^# *//p' "$0" >&2 && exit 2 ;;
 esac

@@ -190,7 +190,7 @@ def public_headers_are_meant_for_users(root):
     listed = public_headers(root)
     for name in listed:
         text = text_of(root / name)
-        if not re.match(r"(?:// SPDX-\S+ MIT\n)?#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
+        if not re.match(r"#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
             yield f"{name}: is installed, yet does not say what a user has of it"
         for other in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE):
             if other not in listed:
@@ -324,6 +324,13 @@ def includes_of_shaders_are_guarded_by_their_name(root):
             yield f"{path}: the first two directives should be #ifndef {guard}, #define {guard}"
 
 
+def shaders_name_their_licence(root):
+    """In their last line: they are copied into engines one by one. REUSE.toml names that of all other files."""
+    for path in files(root / "hlsl", {".fx", ".fxh"}) + files(root / "effects", {".fx", ".fxh"}):
+        if not text_of(path).endswith("\n// SPDX-License-Identifier: MIT\n"):
+            yield f"{path}: the last line should be // SPDX-License-Identifier: MIT"
+
+
 def folders_explain_themselves_in_at_most_30_lines(root):
     folders = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tools", "lab", "tests"]
     for above in ("host", "tools", "lab"):
@@ -453,6 +460,7 @@ CHECKS = {
         right_forms_know_no_setting,
         names_of_the_library_carry_one_prefix,
         includes_of_shaders_are_guarded_by_their_name,
+        shaders_name_their_licence,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,
         user_pages_are_few_and_short,

@@ -153,6 +153,11 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"hlsl/scatter.fxh": '// All of scatter.\n#include "scatter/blur.fxh"\n'})
         self.finds(check, {"hlsl/blur.fxh": GUARDED}, "TEGUMENT_BLUR_FXH")
 
+    def test_a_shader_names_its_licence_at_its_end(self):
+        check = "shaders_name_their_licence"
+        self.accepts(check, {"hlsl/blur.fxh": GUARDED + "// SPDX-License-Identifier: MIT\n"})
+        self.finds(check, {"effects/Blur.fx": GUARDED}, "Blur.fx: the last line")
+
     def test_rooms_that_include_each_other_are_found(self):
         check = "rooms_include_each_other_without_a_cycle"
         down = {"host/run/a.h": '#include "host/gpu/b.h"\n#include "host/run/c.h"\n', "host/gpu/b.h": '#include "meshprep/base/d.h"\n'}

@@ -262,7 +262,8 @@ void setUpHelp(CLI::App& program, Action& action) {
     auto manual = std::make_shared<bool>(false);
     command->add_flag("--man", *manual, "Print the manual page, tegument(1), of all commands");
     auto shell = std::make_shared<std::string>();
-    command->add_option("--completion", *shell, "Print completions for a shell: bash, zsh, fish")->transform(oneOf({"bash", "zsh", "fish"}));
+    command->add_option("--completion", *shell, "Print completions for a shell: bash, zsh, fish")
+        ->transform(oneOf({"bash", "zsh", "fish"}));
     addExamples(*command, {{"help render", ""}, {"help fur roots", ""}, {"help --man | man -l -", ""}, {"help --completion bash", ""}});
     command->callback([&program, topics, manual, shell, &action] {
         action = [&program, topics, manual, shell] {

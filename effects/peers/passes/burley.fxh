@@ -33,3 +33,4 @@ BURLEY_STEP(40)
 BURLEY_STEP(80)
 
 #endif
+// SPDX-License-Identifier: MIT

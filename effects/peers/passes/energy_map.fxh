@@ -7,3 +7,4 @@ Texture2D gEnergyAttenuationMap < string Producer = "../EnergyAttenuation.fx/gEn
 TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 #endif
+// SPDX-License-Identifier: MIT

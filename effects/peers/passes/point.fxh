@@ -23,3 +23,4 @@ float4 peerRadiance(SurfaceVarying input, LitPoint p, float3 diffused)
 }
 
 #endif
+// SPDX-License-Identifier: MIT

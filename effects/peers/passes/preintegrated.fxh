@@ -72,3 +72,4 @@ LitShare PreintegratedShare(SurfaceVarying input)
 LIGHTS(Preintegrated, SurfaceVarying)
 
 #endif
+// SPDX-License-Identifier: MIT

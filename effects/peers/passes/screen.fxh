@@ -64,3 +64,4 @@ float4 ScreenFinalPS(SurfaceVarying input) : SV_Target0
 }
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -35,3 +35,4 @@ SEPARABLE_STEPS(17, 10, 8)
 SEPARABLE_STEPS(25, 19, 12)
 
 #endif
+// SPDX-License-Identifier: MIT

@@ -103,7 +103,7 @@ Result<void> checkShader(std::span<const std::uint32_t> words, const std::string
         std::uint32_t model;
         std::string_view name;
         bool found = false;
-    } search{namesOf(stage).model, entry};
+    } search{stageNames(stage).model, entry};
     const auto visit = [](void* into, const spv_parsed_instruction_t* instruction) {
         auto& wanted = *static_cast<Search*>(into);
         const std::uint32_t* w = instruction->words; // strings end within their instruction
@@ -115,9 +115,9 @@ Result<void> checkShader(std::span<const std::uint32_t> words, const std::string
     context.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { why = text; });
     if (spvBinaryParse(context.CContext(), &search, words.data(), words.size(), nullptr, visit, nullptr) != SPV_SUCCESS)
         return requestError(6020,
-                            fmt::format("pipeline '{}': the {} shader is not a SPIR-V module: {}", pipeline, namesOf(stage).name, why));
+                            fmt::format("pipeline '{}': the {} shader is not a SPIR-V module: {}", pipeline, stageNames(stage).name, why));
     if (!search.found)
-        return requestError(6021, fmt::format("pipeline '{}': the module has no {} shader '{}'", pipeline, namesOf(stage).name, entry));
+        return requestError(6021, fmt::format("pipeline '{}': the module has no {} shader '{}'", pipeline, stageNames(stage).name, entry));
     return {};
 }
 

@@ -151,7 +151,7 @@ constexpr const char* kFlags[] = {"-HV", "2021", "-Wno-effects-syntax", "-I", ".
 constexpr const char* kSpirvFlags[] = {"-spirv", "-fspv-target-env=vulkan1.1", "-fspv-reflect"};
 
 std::vector<std::wstring> arguments(const ShaderRequest& request, Output output) {
-    std::vector<std::wstring> list{L"-T", wide(fmt::format("{}_6_0", namesOf(request.stage).profile)), L"-E", wide(request.entry)};
+    std::vector<std::wstring> list{L"-T", wide(fmt::format("{}_6_0", stageNames(request.stage).profile)), L"-E", wide(request.entry)};
     for (const char* flag : kFlags)
         list.push_back(wide(request.language2018 && std::string_view(flag) == "2021" ? "2018" : flag));
     if (output == Output::Spirv)

@@ -21,7 +21,7 @@ bool parse(glslang::TShader& shader, const std::string& text) {
 
 std::string checkGlsl(ShaderStage stage, const std::string& text) {
     glslang_hlsl::initialise();
-    glslang::TShader shader(static_cast<EShLanguage>(namesOf(stage).model));
+    glslang::TShader shader(static_cast<EShLanguage>(stageNames(stage).model));
     return parse(shader, text) ? "" : shader.getInfoLog();
 }
 

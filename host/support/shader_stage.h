@@ -17,10 +17,10 @@ struct StageNames {
     std::uint32_t model;      // SPIR-V's execution model, and glslang's number
 };
 
-[[nodiscard]] constexpr const StageNames& namesOf(ShaderStage stage) {
-    static constexpr std::array<StageNames, 4> kNames = {
-        {{"vertex", "vs", ".vert", 0}, {"pixel", "ps", ".frag", 4}, {"compute", "cs", ".comp", 5}, {"geometry", "gs", ".geom", 3}}};
-    return kNames[static_cast<std::size_t>(stage)];
+inline constexpr std::array<StageNames, 4> kStageNames = {
+    {{"vertex", "vs", ".vert", 0}, {"pixel", "ps", ".frag", 4}, {"compute", "cs", ".comp", 5}, {"geometry", "gs", ".geom", 3}}};
+[[nodiscard]] constexpr const StageNames& stageNames(ShaderStage stage) {
+    return kStageNames[static_cast<std::size_t>(stage)];
 }
 
 } // namespace tegument

@@ -83,7 +83,7 @@ void addEntries(Work& work, Batch& batch) {
     if (report == nullptr || !work.loaded()) return;
     if (std::string obstacle = spellingObstacle(work); !obstacle.empty()) return leaveOut(*report, std::move(obstacle));
     for (EntryPoint& entry : work.report.entries)
-        addJob(work, *report, &entry, fmt::format("{}_5_0", namesOf(entry.stage).profile), batch);
+        addJob(work, *report, &entry, fmt::format("{}_5_0", stageNames(entry.stage).profile), batch);
 }
 
 /// "... in Technique T, Pass P.": the linkage errors of fx_4_0 and fx_5_0 name the pass and no line.

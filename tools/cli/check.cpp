@@ -157,7 +157,7 @@ struct CheckArguments {
 };
 
 /// Every chosen one once, in their order. What is `written` is an output.
-Result<std::vector<Target>> chosen(const std::vector<std::string>& names, bool written) {
+Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names, bool written) {
     std::set<Target> wanted;
     for (const std::string& name : names) {
         const std::vector<Target> targets = targetsByName(name, written);
@@ -323,7 +323,7 @@ void printSum(const CheckReport& report, bool skipMissing) {
 /// The folders that were written, or the first thing that went wrong; a file that failed has been reported already.
 Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckArguments& arguments) {
     std::vector<std::string> folders;
-    const auto kinds = chosen(arguments.emitKinds, true);
+    const auto kinds = chosenTargets(arguments.emitKinds, true);
     if (!kinds) return kinds.error();
     for (const FileReport& file : report.files) {
         if (file.failed()) continue;
@@ -336,7 +336,7 @@ Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckA
 
 Result<void> argumentsFit(const CheckArguments& arguments, const std::vector<std::filesystem::path>& files) {
     if (arguments.emitFolder.empty()) return {};
-    if (const auto kinds = chosen(arguments.emitKinds, true); !kinds) return kinds.error();
+    if (const auto kinds = chosenTargets(arguments.emitKinds, true); !kinds) return kinds.error();
     if (const auto distinct = namesAreDistinct(files); !distinct) return distinct.error();
     return checkFolder(arguments.emitFolder);
 }
@@ -391,7 +391,7 @@ void printText(const CheckReport& report, const CheckArguments& arguments, const
 
 int check(const CheckArguments& arguments) {
     if (arguments.server) return serveEditor(assets::loadOptions(arguments.effect));
-    const auto targets = chosen(arguments.targets, false);
+    const auto targets = chosenTargets(arguments.targets, false);
     if (!targets) return fail(targets.error(), arguments.json);
     const auto files = filesOf(arguments);
     if (!files) return fail(files.error(), arguments.json);

@@ -25,7 +25,7 @@ bool isGlsl(Target kind) {
 }
 
 std::string endingOf(Target kind, ShaderStage stage) {
-    const StageNames& names = namesOf(stage);
+    const StageNames& names = stageNames(stage);
     return isGlsl(kind) ? std::string(names.ending) : fmt::format(".{}{}", names.profile, rowOf(kind).ending);
 }
 

@@ -175,7 +175,7 @@ const Reflection* anyReflection(const LinkedShader& shader) {
 }
 
 Json shaderJson(const LinkedShader& shader) {
-    Json json{{"name", shader.name}, {"entry", shader.entry->name}, {"stage", namesOf(shader.entry->stage).name}};
+    Json json{{"name", shader.name}, {"entry", shader.entry->name}, {"stage", stageNames(shader.entry->stage).name}};
     if (shader.entry->stage == ShaderStage::Compute)
         if (const Reflection* reflection = anyReflection(shader)) json["threads"] = reflection->localSize;
     for (const auto& [kind, file] : shader.files)

@@ -4,7 +4,7 @@
 #include "host/effect/model.h"
 #include "host/image/compare.h"
 #include "host/run/run.h"
-#include "lab/verify/verify.h"
+#include "lab/verify/scene.h"
 
 #include <cstdint>
 #include <map>
@@ -28,8 +28,6 @@ struct RenderJob {
     std::vector<std::pair<std::string, std::string>> defines{};
     std::map<std::string, std::string> textures{}; // files
 };
-
-struct Scene;
 
 /// With the setting and the map size of the options.
 [[nodiscard]] Result<RunResult> render(const Context& context, const RenderJob& job, const Mesh* mesh = nullptr,

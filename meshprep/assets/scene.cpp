@@ -1,5 +1,7 @@
 #include "meshprep/assets/scene.h"
 
+#include "host/mesh/read_mesh.h"
+#include "host/mesh/triangles.h"
 #include "host/run/semantics.h"
 #include "host/support/text.h"
 #include "meshprep/assets/strands.h"
@@ -61,7 +63,8 @@ bool isFramed(const SceneOptions& options) {
 }
 
 UpAxis upOf(const SceneOptions& options) {
-    return options.up.value_or(toLower(fs::path(options.mesh).extension().string()) == ".stl" ? UpAxis::Z : UpAxis::Y);
+    const MeshFormat* format = meshFormatOf(options.mesh);
+    return options.up.value_or(format && format->zIsUp ? UpAxis::Z : UpAxis::Y);
 }
 
 /// Turned counter-clockwise seen from above, y up.
@@ -149,12 +152,7 @@ Mesh ball() {
             mesh.tangents.emplace_back(std::cos(around), 0.0F, -std::sin(around), 1.0F);
             mesh.uvs.emplace_back(u, v);
         }
-    for (int ring = 0; ring < kRings; ++ring)
-        for (int sector = 0; sector < kSectors; ++sector) {
-            const auto at = static_cast<std::uint32_t>(ring * (kSectors + 1) + sector);
-            const std::uint32_t below = at + kSectors + 1;
-            mesh.indices.insert(mesh.indices.end(), {at, below, at + 1, at + 1, below, below + 1});
-        }
+    addGrid(mesh.indices, kSectors, kRings, "acbbcd");
     computeBounds(mesh);
     return mesh;
 }

@@ -77,8 +77,8 @@ bool facesLight(LitPoint p)
     return min(dot(p.meshNormal, p.toLight), p.cosine) > 0.0;
 }
 
-// Taps as wide as a texel of the base, or the map's nearest texels where taps would not meet each of them and print its steps. facet: the
-// normal of the receiver's plane; density: texels^2 of the base per mm^2.
+// Taps as wide as a texel of the base, or the map's nearest texels where taps would not meet each of them and print its steps; shader
+// model 3 has no slots for those beside lamps. facet: the normal of the receiver's plane; density: texels^2 of the base per mm^2.
 float entryShadow(LitPoint p, float3 facet, float density)
 {
     float lit = 0.0;
@@ -89,8 +89,8 @@ float entryShadow(LitPoint p, float3 facet, float density)
         float bend = facetBend(p, slope);
         p.meshNormal = facet;
         float apart = clamp(0.25 * rsqrt(max(density, 1e-8)), kEntryTaps.x * p.footprint, kEntryTaps.y * p.footprint);
-        bool narrow = p.footprint > kTgNarrowTexel && apart * dot(facet, p.toLight) < kEntryTaps.x * p.footprint;
-        PlanarPlace at = planarPlace(p, slope, narrow ? kTgPlanarSmooth : kTgPlanarTexel);
+        bool narrow = !kTgFewSlots && p.footprint > kTgNarrowTexel && apart * dot(facet, p.toLight) < kEntryTaps.x * p.footprint;
+        PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
         TgShadowTaps taps = tgShadowTapsOnPlane(slope, facet, p.axisX, p.axisY, tgLightRays(), p.footprint, apart);
         if (narrow)
             taps = tgShadowTapsOfTexels(at.uv);
@@ -117,7 +117,9 @@ float4 entryLight(float2 uv)
         float4 albedo = tex2Dgrad(gSkin, uv, right, right.yx);
         float4 normal = tex2Dlod(gAtlasNormal, float4(uv, 0.0, 0.0));
         LitPoint p = entryPoint(uv, albedo, place.xyz, normal.xyz);
-        float3 facet = facetNormal(p, atlasWay(uv, place.xyz, float2(1.0, 0.0)), atlasWay(uv, place.xyz, float2(0.0, 1.0)));
+        float3 facet = p.meshNormal;
+        if (!kTgFewSlots)
+            facet = facetNormal(p, atlasWay(uv, place.xyz, float2(1.0, 0.0)), atlasWay(uv, place.xyz, float2(0.0, 1.0)));
         p.shadow = entryShadow(p, facet, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z) * skinOpen(tgWorldPosition(place.xyz));
         float covered = place.w * normal.w;
         light = float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);

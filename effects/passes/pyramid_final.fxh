@@ -56,7 +56,7 @@ float finalShadow(LitPoint p, float3 facet)
         bool plain = p.scatters < 0.5; // no level softens its shadows: its filter is some texels of the shadow map wide
         bool wide = plain || p.footprint < kTgNarrowTexel;
         float apart = plain ? max(kEntryTaps.x * p.footprint, kTgNarrowStep) : kTgNarrowStep;
-        PlanarPlace at = planarPlace(p, slope, wide ? kTgPlanarTexel : kTgPlanarSmooth);
+        PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
         TgShadowTaps taps = tgShadowTapsOnPlane(slope, facet, p.axisX, p.axisY, tgLightRays(), p.footprint, apart);
         if (!wide)
             taps = tgShadowTapsOfTexels(at.uv);

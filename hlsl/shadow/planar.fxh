@@ -19,9 +19,8 @@ static const float kTgSmallestPlanarCosine = 0.15;
 static const float kTgPlanarHorizon = 0.01;
 // Share of a texel's slope that is left to facets, which are steeper than their normals say.
 static const float kTgPlanarFacets = 0.25;
-// How far a texel's middle is at most from a look-up in it, and from one that takes the nearest 4 x 4 (half of their weight), texels.
+// How far a texel's middle is at most from a look-up in it, texels.
 static const float kTgPlanarTexel = 0.7072;
-static const float kTgPlanarSmooth = 1.5;
 // How steeply visibility over the nearest 4 x 4 texels is drawn around a half.
 static const float kTgPlanarSteep = 3.0;
 // Texels of the map (mm) up to which 4 x 4 taps on the surface are wider than what is drawn of the nearest texels, and the distance of

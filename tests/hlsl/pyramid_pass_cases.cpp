@@ -192,7 +192,7 @@ std::vector<FunctionCase> shadows() {
                         "float3 facet = float3(sqrt(1.0 - a3 * a3), 0, a3); p.lightUv = a0; p.depth = a1; p.footprint = a2; "
                         "float lit = entryShadow(p, facet, 100.0); p.meshNormal = facet; "
                         "float2 slope = tgShadowPlanarSlope(facet, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint); "
-                        "PlanarPlace at = planarPlace(p, slope, 1.5); "
+                        "PlanarPlace at = planarPlace(p, slope, 0.7072); "
                         "return float4(lit - tgShadowSharp(gShadowMap, gShadow, at.uv, at.depth - dot(abs(slope), 1.0), slope), 0, 0, 0);",
                     {linear(0.1, 0.9, 2), linear(596, 604), linear(0.16, 1), linear(0.05, 0.95)}, [](const Inputs&) { return values(0); }));
     cases.back().map = &shadowMap();

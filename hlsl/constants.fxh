@@ -8,6 +8,7 @@
 #define TEGUMENT_CONSTANTS_FXH
 
 #define TG_SKIN_MIX 0.5
+#define TG_SKIN_SPECULAR_INTENSITY 1.0
 #define TG_SKIN_SHADOW_TOLERANCE 0.3
 #define TG_SKIN_BLUR_SIZE 1.2
 #define TG_SKIN_BLUR_TURN 2.39996
@@ -33,6 +34,9 @@ static const bool kTgShadowSpecular = true;
 static const bool kTgCullPerPixel = true;
 #endif
 
+// Specular: reflectance at normal incidence of an interface with index 1.5, ((1.5 - 1) / (1.5 + 1))^2. Cheeks have 1.51 to 1.53 (Yoshida et
+// al. 2013); 1.4 is the mean of the tissue below.
+static const float kTgFresnel0 = 0.04;
 // Culling: largest channel of a colour that counts as black, linear.
 static const float kTgBlack = 2.0 / 255.0 / 12.92;
 

@@ -194,9 +194,6 @@ static const float kTgLargestHalf = 64512.0;
 static const float kTgLargestLight = TEGUMENT_MAP_BITS == 32 ? 1e30 : kTgLargestHalf;
 static const bool kTgNormalXY = TEGUMENT_NORMAL_XY == 1;
 
-// Specular. Reflectance at normal incidence of an interface with index 1.4, ((1.4 - 1) / (1.4 + 1))^2, as the paper rounds it.
-static const float kTgFresnel0 = 0.028;
-
 // Transmission: distance at which nothing passes, mm; decay of the stored exp(-k t), per mm (the paper's exp(-20 t) with 100 mm to the
 // unit); largest alpha, because 1 marks texels outside the charts.
 static const float kTgOpaqueDistance = 5000.0;

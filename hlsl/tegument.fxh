@@ -4,7 +4,7 @@
 // HOW TO USE
 //   #define TEGUMENT_MAP_SIZE 1024      // what differs from the defaults below
 //   #include "tegument.hlsl"
-//   float4 main(...) : SV_Target { ... tgKelemenSpecular(normal, toLight, toEye, 0.3, 0.18) ... }
+//   float4 main(...) : SV_Target { ... tgKelemenSpecular(normal, toLight, toEye, 0.3, 1.0) ... }
 //
 // WHAT TO DEFINE BEFORE (each has a default)
 //   TEGUMENT_HLSL_3      for ps_3_0 and vs_3_0: functions take a sampler2D in place of a texture and its sampler

@@ -53,5 +53,25 @@ PlanarPlace planarPlace(LitPoint p, float2 slope, float texels)
     return at;
 }
 
+// Cosine between a facet and the mesh's normal from which on the two ways lie on one facet.
+static const float kOneFacet = 0.7;
+
+// The normal of the facet that a point lies on: shadow maps hold facets, which at grazing light are other planes than the mesh's normals
+// say. along, across: two ways on it, world units. Where they lead elsewhere, or the facet turns from the light, it is the mesh's.
+float3 facetNormal(LitPoint p, float3 along, float3 across)
+{
+    float3 facet = tgSafeNormalize(cross(tgMillimetres(along), tgMillimetres(across)));
+    facet *= dot(facet, p.meshNormal) < 0.0 ? -1.0 : 1.0;
+    return dot(facet, p.meshNormal) > kOneFacet && dot(facet, p.toLight) > 0.0 ? facet : p.meshNormal;
+}
+
+// By how much the next facets may stand before this one's plane within a texel, mm: where they are other planes the mesh's normal, which is
+// between them, has another slope than this one.
+float facetBend(LitPoint p, float2 slope)
+{
+    float2 meant = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+    return dot(abs(slope - meant), 1.0);
+}
+
 #endif
 // SPDX-License-Identifier: MIT

@@ -77,20 +77,33 @@ bool facesLight(LitPoint p)
     return min(dot(p.meshNormal, p.toLight), p.cosine) > 0.0;
 }
 
-// density: texels^2 of the base per mm^2.
-float entryShadow(LitPoint p, float density)
+// Taps as wide as a texel of the base, or the map's nearest texels where taps would not meet each of them and print its steps; shader
+// model 3 has no slots for those beside lamps. facet: the normal of the receiver's plane; density: texels^2 of the base per mm^2.
+float entryShadow(LitPoint p, float3 facet, float density)
 {
     float lit = 0.0;
     [branch] if (facesLight(p))
     {
-        float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+        float own = tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+        float2 slope = tgShadowPlanarSlope(facet, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+        float bend = facetBend(p, slope);
+        p.meshNormal = facet;
         float apart = clamp(0.25 * rsqrt(max(density, 1e-8)), kEntryTaps.x * p.footprint, kEntryTaps.y * p.footprint);
+        bool narrow = !kTgFewSlots && p.footprint > kTgNarrowTexel && apart * dot(facet, p.toLight) < kEntryTaps.x * p.footprint;
         PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
-        lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(),
-                              p.footprint, apart) *
-              tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+        TgShadowTaps taps = tgShadowTapsOnPlane(slope, facet, p.axisX, p.axisY, tgLightRays(), p.footprint, apart);
+        if (narrow)
+            taps = tgShadowTapsOfTexels(at.uv);
+        lit = own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
     }
     return lit;
+}
+
+// From a texel of the atlas to the next one along u or v; 0 where no chart covers that.
+float3 atlasWay(float2 uv, float3 place, float2 way)
+{
+    float4 next = tex2Dlod(gAtlasPosition, float4(uv + way / kPyramidSize0, 0.0, 0.0));
+    return next.w > 0.0 ? tgWorldPosition(next.xyz) - tgWorldPosition(place) : float3(0.0, 0.0, 0.0);
 }
 
 // Texels that no chart covers have nothing to light.
@@ -104,7 +117,10 @@ float4 entryLight(float2 uv)
         float4 albedo = tex2Dgrad(gSkin, uv, right, right.yx);
         float4 normal = tex2Dlod(gAtlasNormal, float4(uv, 0.0, 0.0));
         LitPoint p = entryPoint(uv, albedo, place.xyz, normal.xyz);
-        p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z) * skinOpen(tgWorldPosition(place.xyz));
+        float3 facet = p.meshNormal;
+        if (!kTgFewSlots)
+            facet = facetNormal(p, atlasWay(uv, place.xyz, float2(1.0, 0.0)), atlasWay(uv, place.xyz, float2(0.0, 1.0)));
+        p.shadow = entryShadow(p, facet, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z) * skinOpen(tgWorldPosition(place.xyz));
         float covered = place.w * normal.w;
         light = float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);
     }

@@ -269,6 +269,18 @@ float3 placeNormal(float3 normal, float2 uv, float2 right)
     return tgSurfaceNormal(normal, world, tex2Dgrad(gNormal, uv, right, right.yx).xyz);
 }
 
+// From a place to the nearer one of two neighbouring pixels: the other may be of another facet, or of another body.
+float3 placeWay(int2 pixel, float3 world, float depth, int2 way)
+{
+    int2 last = int2(gViewportSize) - 1;
+    int2 after = clamp(pixel + way, int2(0, 0), last);
+    int2 before = clamp(pixel - way, int2(0, 0), last);
+    float next = gPlaceDepthMap.Load(int3(after, 0)).x;
+    float previous = gPlaceDepthMap.Load(int3(before, 0)).x;
+    bool forwards = abs(next - depth) < abs(previous - depth);
+    return forwards ? placeWorld(after, next) - world : world - placeWorld(before, previous);
+}
+
 [numthreads(8, 8, 1)]
 void FinalCS(uint3 thread : SV_DispatchThreadID)
 {
@@ -286,7 +298,9 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
         float3 normal = placeNormal(surface.normal, place.xy, right);
         LitPoint p = finalPoint(surface, normal, tex2Dgrad(gSkin, place.xy, right, right.yx));
         LOBES_AT(p, tex2Dgrad(gNormal, place.xy, right, right.yx).xyz)
-        gPictureStore[thread.xy] = finalColour(surface, p);
+        float3 along = placeWay(thread.xy, surface.world, depth, int2(1, 0));
+        float3 across = placeWay(thread.xy, surface.world, depth, int2(0, 1));
+        gPictureStore[thread.xy] = finalColour(surface, p, facetNormal(p, along, across));
     }
 }
 

@@ -43,22 +43,24 @@ LitPoint finalPoint(FinalVarying input, float3 normal, float4 colour)
     return p;
 }
 
-float finalShadow(LitPoint p)
+// facet: the normal of the receiver's plane.
+float finalShadow(LitPoint p, float3 facet)
 {
     float lit = 0.0;
     [branch] if (facesLight(p))
     {
-        float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+        float own = tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+        float2 slope = tgShadowPlanarSlope(facet, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+        float bend = facetBend(p, slope);
+        p.meshNormal = facet;
         bool plain = p.scatters < 0.5; // no level softens its shadows: its filter is some texels of the shadow map wide
-        bool taps = plain || p.footprint < kTgNarrowTexel;
+        bool wide = plain || p.footprint < kTgNarrowTexel;
         float apart = plain ? max(kEntryTaps.x * p.footprint, kTgNarrowStep) : kTgNarrowStep;
-        PlanarPlace at = planarPlace(p, slope, taps ? kTgPlanarTexel : kTgPlanarNearest);
-        [branch] if (taps)
-            lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(),
-                                  p.footprint, apart);
-        else
-            lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope);
-        lit *= tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+        PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
+        TgShadowTaps taps = tgShadowTapsOnPlane(slope, facet, p.axisX, p.axisY, tgLightRays(), p.footprint, apart);
+        if (!wide)
+            taps = tgShadowTapsOfTexels(at.uv);
+        lit = own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
     }
     return lit;
 }
@@ -69,9 +71,9 @@ float3 ownWeight(float4 wide)
     return wide.w < 0.0 ? linkedWeight(0.0, -wide.w) : ladderWeight(0.0, wide.w);
 }
 
-float4 finalColour(FinalVarying input, LitPoint p)
+float4 finalColour(FinalVarying input, LitPoint p, float3 facet)
 {
-    p.shadow = finalShadow(p) * skinOpen(input.world);
+    p.shadow = finalShadow(p, facet) * skinOpen(input.world);
     float4 wide = tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0));
     float3 diffused = max(enteringHere(p) * ownWeight(wide) + wide.rgb, 0.0);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
@@ -90,7 +92,8 @@ LitPoint texturedPoint(FinalVarying input)
 
 float4 PyramidFinalPS(FinalVarying input) : SV_Target0
 {
-    return finalColour(input, texturedPoint(input));
+    LitPoint p = texturedPoint(input);
+    return finalColour(input, p, facetNormal(p, ddx(input.world), ddy(input.world)));
 }
 
 #if TEGUMENT_LIGHT_BY_LIGHT

@@ -3,7 +3,7 @@
 #define TEGUMENT_PASSES_SPECULAR_FXH
 
 float gRoughness < UI_SLIDER("Roughness", 0.05, 1.0, 0.01) string UIHelp = "Beckmann m, rms slope"; > = 0.3;
-float gSpecularIntensity < UI_SLIDER("Specular intensity", 0.0, 1.0, 0.01) string UIHelp = "rho_s"; > = 0.18;
+float gSpecularIntensity < UI_SLIDER("Specular intensity", 0.0, 1.0, 0.01) string UIHelp = "rho_s"; > = TG_SKIN_SPECULAR_INTENSITY;
 float gPlainRoughness < UI_SLIDER("Roughness of plain material", 0.05, 1.0, 0.01) string UIHelp = "Beckmann m"; > = 0.1;
 float gPlainIntensity < UI_SLIDER("Specular intensity of plain material", 0.0, 1.0, 0.01) string UIHelp = "rho_s"; > = 0.5;
 

@@ -8,6 +8,7 @@
 #define TEGUMENT_PRINTED_DEON2007_FXH
 
 #define TG_SKIN_MIX 0.5
+#define TG_SKIN_SPECULAR_INTENSITY 0.18
 #define TG_SKIN_SHADOW_TOLERANCE 2.0
 #define TG_SKIN_BLUR_SIZE 1.5
 #define TG_SKIN_BLUR_TURN 0.0
@@ -31,6 +32,8 @@ static const bool kTgShadowSpecular = false;
 // Culling: whether fragments are culled, or whole vertices. Largest channel of a colour that counts as black, linear.
 static const bool kTgCullPerPixel = false;
 static const float kTgBlack = 0.0;
+// Specular: reflectance at normal incidence of an interface with index 1.4, as the paper rounds 0.02778.
+static const float kTgFresnel0 = 0.028;
 
 // Read by printed/ alone: 1 - rho_s rho_dt; a cascade of increments; outside the charts the mean stretch.
 static const bool kTgAttenuateByIntensity = true;

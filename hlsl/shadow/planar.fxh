@@ -19,11 +19,12 @@ static const float kTgSmallestPlanarCosine = 0.15;
 static const float kTgPlanarHorizon = 0.01;
 // Share of a texel's slope that is left to facets, which are steeper than their normals say.
 static const float kTgPlanarFacets = 0.25;
-// How far a texel's middle is at most from a look-up in it, and from one that takes the four nearest, texels.
+// How far a texel's middle is at most from a look-up in it, texels.
 static const float kTgPlanarTexel = 0.7072;
-static const float kTgPlanarNearest = 1.0;
-// Texels of the map (mm) up to which 4 x 4 taps are wider than the four nearest texels, and the distance of those taps on the surface, mm:
-// four of them in a row have the variance of the first Gaussian, 5/4 of its square.
+// How steeply visibility over the nearest 4 x 4 texels is drawn around a half.
+static const float kTgPlanarSteep = 3.0;
+// Texels of the map (mm) up to which 4 x 4 taps on the surface are wider than what is drawn of the nearest texels, and the distance of
+// those taps, mm: four of them in a row have the variance of the first Gaussian, 5/4 of its square.
 static const float kTgNarrowTexel = 0.15;
 static const float kTgNarrowStep = 0.0716;
 // Cosine and sine of the turn of a 4 x 4 grid by atan(1/4): along the axes its 16 points are equally far apart.
@@ -60,29 +61,21 @@ float tgShadowPlanarHorizon(float cosine)
     return saturate(cosine / kTgPlanarHorizon);
 }
 
-// The four nearest texels, interpolated: as sharp as the map. depth: less tolerance.
-float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
+// 4 x 4 taps around a look-up: the way from one to the next along rows and columns, texels; what the receiver's plane falls on it beside
+// its slope, mm; the weight of each column and row; how steeply what they see is drawn around a half.
+struct TgShadowTaps
 {
-    float2 position = coordinate * kTgShadowSize - 0.5;
-    float2 f = frac(position);
-    float2 corner = (position - f + 0.5) / kTgShadowSize;
-    float2 far = corner + 1.0 / kTgShadowSize;
-    float4 texel;
-    texel.x = TG_TEX2DLOD(map, float4(corner, 0.0, 0.0)).x;
-    texel.y = TG_TEX2DLOD(map, float4(far.x, corner.y, 0.0, 0.0)).x;
-    texel.z = TG_TEX2DLOD(map, float4(corner.x, far.y, 0.0, 0.0)).x;
-    texel.w = TG_TEX2DLOD(map, float4(far, 0.0, 0.0)).x;
-    float4 plane = depth + slope.x * (float4(0.0, 1.0, 0.0, 1.0) - f.x) + slope.y * (float4(0.0, 0.0, 1.0, 1.0) - f.y);
-    float lit = dot(step(plane, tgShadowStored(texel)),
-                    float4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y));
-    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
-}
+    float2 alongU;
+    float2 alongV;
+    float2 beside;
+    float4 columns;
+    float4 rows;
+    float steep;
+};
 
-// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other; each texel is held against that plane at its own
-// middle. The square is turned against the light's right, so that an edge along the map's axes meets the taps one by one. depth: less
-// tolerance; slope: of that plane; footprint: mm of a texel of the map.
-float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float3 normal, float3 axisX, float3 axisY,
-                      float3 axis, float footprint, float apart)
+// Over a square on the receiver's own plane, `apart` mm from each other. The square is turned against the light's right, so that an edge
+// along the map's axes meets the taps one by one. slope: of that plane; footprint: mm of a texel of the map.
+TgShadowTaps tgShadowTapsOnPlane(float2 slope, float3 normal, float3 axisX, float3 axisY, float3 axis, float footprint, float apart)
 {
     float3 right = axisX - normal * dot(normal, axisX);
     float3 side = right * rsqrt(max(dot(right, right), 1e-12));
@@ -90,29 +83,69 @@ float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, f
     float3 u = apart * (kTgTurn.x * side + kTgTurn.y * other);
     float3 v = apart * (kTgTurn.x * other - kTgTurn.y * side);
     float scale = 1.0 / footprint;
-    float2 alongU = scale * float2(dot(u, axisX), -dot(u, axisY));
-    float2 alongV = scale * float2(dot(v, axisX), -dot(v, axisY));
+    TgShadowTaps taps;
+    taps.alongU = scale * float2(dot(u, axisX), -dot(u, axisY));
+    taps.alongV = scale * float2(dot(v, axisX), -dot(v, axisY));
     // What the plane through the taps falls beside `slope`, which is not followed as far down.
-    float2 beside = float2(dot(u, axis) - dot(slope, alongU), dot(v, axis) - dot(slope, alongV));
+    taps.beside = float2(dot(u, axis) - dot(slope, taps.alongU), dot(v, axis) - dot(slope, taps.alongV));
+    taps.columns = 0.25;
+    taps.rows = 0.25;
+    taps.steep = 1.0;
+    return taps;
+}
+
+// The nearest texels, smoothed by a box of three over one of one: where that passes a half, the border of a shadow has no steps of the map.
+// It is drawn about a texel wide.
+TgShadowTaps tgShadowTapsOfTexels(float2 coordinate)
+{
+    float2 f = frac(coordinate * kTgShadowSize - 0.5);
+    TgShadowTaps taps;
+    taps.alongU = float2(1.0, 0.0);
+    taps.alongV = float2(0.0, 1.0);
+    taps.beside = 0.0;
+    taps.columns = float4(1.0 - f.x, 1.0, 1.0, f.x) / 3.0;
+    taps.rows = float4(1.0 - f.y, 1.0, 1.0, f.y) / 3.0;
+    taps.steep = kTgPlanarSteep;
+    return taps;
+}
+
+// Share of the taps that the light reaches; each texel is held against the receiver's plane at its own middle. depth: less tolerance.
+float tgShadowTapped(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, TgShadowTaps taps)
+{
     // All of it counted from the texel of the look-up: whole numbers stay small.
     float2 within = frac(coordinate * kTgShadowSize);
     float2 middle = coordinate + (0.5 - within) / kTgShadowSize;
     float4 across = float4(-1.5, -0.5, 0.5, 1.5);
-    float4 acrossX = within.x + alongU.x * across;
-    float4 acrossY = within.y + alongU.y * across;
-    float4 acrossZ = depth + dot(slope, 0.5 - within) + beside.x * across;
+    float4 acrossX = within.x + taps.alongU.x * across;
+    float4 acrossY = within.y + taps.alongU.y * across;
+    float4 acrossZ = depth + dot(slope, 0.5 - within) + taps.beside.x * across;
     float sum = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
     {
-        float4 x = floor(acrossX + (j - 1.5) * alongV.x);
-        float4 y = floor(acrossY + (j - 1.5) * alongV.y);
+        float4 x = floor(acrossX + (j - 1.5) * taps.alongV.x);
+        float4 y = floor(acrossY + (j - 1.5) * taps.alongV.y);
         float4 row;
         [unroll] for (int i = 0; i < 4; i++)
             row[i] = TG_TEX2DLOD(map, float4(middle + float2(x[i], y[i]) / kTgShadowSize, 0.0, 0.0)).x;
-        float4 plane = acrossZ + (j - 1.5) * beside.y + slope.x * x + slope.y * y;
-        sum += dot(step(plane, tgShadowStored(row)), 0.0625);
+        float4 plane = acrossZ + (j - 1.5) * taps.beside.y + slope.x * x + slope.y * y;
+        sum += taps.rows[j] * dot(step(plane, tgShadowStored(row)), taps.columns);
     }
-    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : sum;
+    float lit = saturate(taps.steep * (sum - 0.5) + 0.5);
+    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
+}
+
+// As sharp as the map. depth: less tolerance.
+float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
+{
+    return tgShadowTapped(TG_SAMPLER2D_ARG(map), coordinate, depth, slope, tgShadowTapsOfTexels(coordinate));
+}
+
+// As wide as taps on the surface. depth: less tolerance.
+float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float3 normal, float3 axisX, float3 axisY,
+                      float3 axis, float footprint, float apart)
+{
+    return tgShadowTapped(TG_SAMPLER2D_ARG(map), coordinate, depth, slope,
+                          tgShadowTapsOnPlane(slope, normal, axisX, axisY, axis, footprint, apart));
 }
 
 #endif

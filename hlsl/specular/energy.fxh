@@ -4,6 +4,15 @@
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"
 #endif
+#ifndef TEGUMENT_CONSTANTS_FXH
+#include "../constants.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_SEED_FXH
+#include "../printed/seed.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_DEON2007_FXH
+#include "../printed/deon2007.fxh"
+#endif
 #ifndef TEGUMENT_SURFACE_HALVES_FXH
 #include "../surface/halves.fxh"
 #endif

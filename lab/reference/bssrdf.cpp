@@ -78,6 +78,7 @@ std::string diffusedKey(const SkinScene& scene, std::span<const ShadedPoint> poi
     key.add(settings.mix);
     key.add(settings.roughness); // of rho_dt
     key.add(settings.attenuation);
+    key.add(settings.fresnel0);
     key.add(settings.printedAlbedo);
     key.add(scene.more().lamps);
     key.add(scene.more().lampSide);

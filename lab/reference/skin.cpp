@@ -30,6 +30,9 @@ SkinSettings skinSettings(const std::string& name) {
     SkinSettings settings;
     if (name == kSettingCorrected) return settings;
     settings.printedAlbedo = true;
+    settings.fresnel0 = 0.028; // index 1.4, rounded
+    settings.intensity = 0.18;
+    settings.attenuation = settings.intensity;
     if (name == kSettingDeon2007) return settings;
     settings.mix = 0.4;
     settings.attenuation = 1;
@@ -74,8 +77,8 @@ SkinScene::SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& l
     constexpr double kFirst = 1e-3;
     for (int i = 0; i < kCosines; ++i) {
         const double cosine = std::max(static_cast<double>(i) / (kCosines - 1), kFirst);
-        albedo_.push_back(settings.printedAlbedo ? directionalAlbedoPrinted(cosine, settings.roughness, 32)
-                                                 : directionalAlbedo(cosine, settings.roughness) / std::numbers::pi);
+        albedo_.push_back(settings.printedAlbedo ? directionalAlbedoPrinted(cosine, settings.roughness, settings.fresnel0, 32)
+                                                 : directionalAlbedo(cosine, settings.roughness, settings.fresnel0) / std::numbers::pi);
     }
 }
 
@@ -158,7 +161,8 @@ glm::dvec3 SkinScene::mirrored(const SurfacePoint& point, const glm::dvec3& norm
     const double scatters = colour(point).w;
     const double m = std::lerp(settings_.plainRoughness, settings_.roughness, scatters);
     const double rhoS = std::lerp(settings_.plainIntensity, settings_.intensity, scatters);
-    return glm::dvec3(std::max(0.0, glm::dot(normal, l)) * kelemenBrdf(normal, l, glm::normalize(eye - point.position), m, rhoS));
+    const Lobe lobe{.m = m, .f0 = settings_.fresnel0, .rhoS = rhoS};
+    return glm::dvec3(std::max(0.0, glm::dot(normal, l)) * kelemenBrdf(normal, l, glm::normalize(eye - point.position), lobe));
 }
 
 std::vector<Beam> SkinScene::moreBeams(const SurfacePoint& point, const glm::dvec3& normal, const std::vector<SkyPiece>& sky) const {

@@ -17,10 +17,11 @@ namespace tegument::reference {
 struct SkinSettings {
     double mix = 0.5;
     double roughness = 0.3;
-    double intensity = 0.18;     // rho_s of the specular reflection
+    double intensity = 1;        // rho_s of the specular reflection
+    double fresnel0 = 0.04;      // what it reflects at normal incidence: index 1.5
     double plainRoughness = 0.1; // of material that does not scatter
     double plainIntensity = 0.5;
-    double attenuation = 0.18;     // what rho_dt is multiplied by in 1 - rho_s rho_dt; the seed prints none: 1
+    double attenuation = 1;        // what rho_dt is multiplied by in 1 - rho_s rho_dt; the seed prints none: 1
     bool printedAlbedo = false;    // rho_dt by the printed rule with 32 x 32 nodes, not divided by pi
     bool thicknessAsDepth = false; // alpha holds the difference of z/w instead of exp(-0.2 t)
     int firstTransmitted = 4;      // Gaussian, counted from 1

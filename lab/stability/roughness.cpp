@@ -68,7 +68,7 @@ struct View {
 
 /// Held against the formula at the place where each pixel's ray meets the mesh, with m no smaller than the effect takes it.
 void judge(const Image& picture, const View& view, Lobe& lobe) {
-    const double m = std::max(lobe.m, kSmallestRoughness);
+    const reference::Lobe reflected{.m = std::max(lobe.m, kSmallestRoughness), .f0 = view.truth.skin.settings().fresnel0};
     for (int y = 0; y < view.seen.height; ++y)
         for (int x = 0; x < view.seen.width; ++x) {
             const std::size_t i = view.seen.index(x, y);
@@ -78,8 +78,8 @@ void judge(const Image& picture, const View& view, Lobe& lobe) {
             const glm::dvec3 l = view.truth.skin.toLight(point);
             const glm::dvec3 v = glm::normalize(view.truth.camera.eye - point.position);
             const glm::dvec3 h = glm::normalize(l + v);
-            const double exact = std::max(0.0, glm::dot(n, l)) * reference::kelemenBrdf(n, l, v, m, 1);
-            const double peak = glm::dot(h, l) * reference::kelemenBrdf(h, l, v, m, 1);
+            const double exact = std::max(0.0, glm::dot(n, l)) * reference::kelemenBrdf(n, l, v, reflected);
+            const double peak = glm::dot(h, l) * reference::kelemenBrdf(h, l, v, reflected);
             const double error = std::abs(static_cast<double>(picture.at(x, y, 0)) - exact) / std::max(peak, 1e-30);
             if (error <= lobe.error) continue;
             lobe.error = error;

@@ -5,6 +5,7 @@
 #include "lab/reference/convolution.h"
 #include "lab/reference/edge_study.h"
 #include "lab/reference/profile.h"
+#include "lab/reference/skin.h"
 #include "lab/reference/specular.h"
 #include "lab/verify/work.h"
 
@@ -172,7 +173,7 @@ void addDisc(Errata& errata) {
 
 /// The call that fills the printed table, KS_Skin_Specular(V, N, L, m, 0.0277778), taken by the listed signature (N, L, V, m, rho_s): the
 /// eye becomes the normal, the normal the light, the light the eye, and the reflectance at normal incidence the intensity.
-double albedoOfLiteralCall(double cosine, double m) {
+double albedoOfLiteralCall(double cosine, double m, double f0) {
     constexpr int kNodes = 80;
     const glm::dvec3 normal{0, 0, 1};
     const glm::dvec3 toEye{std::sqrt(1 - cosine * cosine), 0, cosine};
@@ -182,21 +183,23 @@ double albedoOfLiteralCall(double cosine, double m) {
             const double phi = 2 * std::numbers::pi * i / (kNodes - 1);
             const double theta = 0.5 * std::numbers::pi * j / (kNodes - 1);
             const glm::dvec3 toLight{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-            sum += std::sin(theta) * glm::dot(toEye, normal) * reference::kelemenBrdf(toEye, normal, toLight, m, 0.0277778);
+            sum += std::sin(theta) * glm::dot(toEye, normal) *
+                   reference::kelemenBrdf(toEye, normal, toLight, {.m = m, .f0 = f0, .rhoS = 0.0277778});
         }
     return sum * std::numbers::pi * std::numbers::pi / (kNodes * kNodes);
 }
 
 void addLiteralCall(Errata& errata) {
+    const double f0 = reference::skinSettings(kSettingDeon2007).fresnel0;
     for (double cosine : {0.2, 0.8}) {
-        const double truth = reference::directionalAlbedo(cosine, 0.3) / std::numbers::pi;
+        const double truth = reference::directionalAlbedo(cosine, 0.3, f0) / std::numbers::pi;
         errata.list.push_back({"Order of arguments in the table's call", fmt::format("albedo, m = 0.3, cos = {}, divided by pi", cosine),
-                               albedoOfLiteralCall(cosine, 0.3) / std::numbers::pi, truth, truth});
+                               albedoOfLiteralCall(cosine, 0.3, f0) / std::numbers::pi, truth, truth});
     }
 }
 
 void addClamp(Errata& errata) {
-    const double printed = reference::directionalAlbedo(0.05, 0.1);
+    const double printed = reference::directionalAlbedo(0.05, 0.1, reference::skinSettings(kSettingDeon2007).fresnel0);
     const double truth = 1 - printed / std::numbers::pi;
     errata.list.push_back({"Diffuse light turns negative (rho_s = 1, table not divided by pi)",
                            "share left to diffusion, m = 0.1, cos = 0.05", 1 - printed, truth, truth});
@@ -220,20 +223,25 @@ Result<void> addAlbedo(Errata& errata, gpu::Device& device, VerifyOptions option
         if (!run) return run.error();
         tables.push_back(run->dumped.at("gEnergyAttenuationMap"));
     }
+    const double printedF0 = reference::skinSettings(kSettingDeon2007).fresnel0;
+    const double correctedF0 = reference::skinSettings(kSettingCorrected).fresnel0;
     const double texel = 1.0 / tables[0].width;
     const auto centre = [&](double x) { return (std::floor(x / texel) + 0.5) * texel; };
     for (double m : {0.1, 0.2, 0.3})
         for (double cosine : {0.05, 0.5, 0.99}) {
             const double c = centre(cosine);
             const double r = centre(m);
-            const double truth = reference::directionalAlbedo(c, r) / std::numbers::pi;
+            const double truth = reference::directionalAlbedo(c, r, printedF0) / std::numbers::pi;
+            const double correctedTruth = reference::directionalAlbedo(c, r, correctedF0) / std::numbers::pi;
+            const double corrected = tableAt(tables[1], cosine, m);
             const std::string place = fmt::format("albedo, m = {:.3f}, cos = {:.3f}", r, c);
-            errata.list.push_back({"Energy table pi too large", place + ", printed integral exact", truth * std::numbers::pi,
-                                   tableAt(tables[1], cosine, m), truth});
+            errata.list.push_back({"Energy table pi too large", place + ", printed integral exact", truth * std::numbers::pi, corrected,
+                                   truth, correctedTruth});
             errata.list.push_back({"Energy table, 80 x 80 end-point rule", place + ", divided by pi",
-                                   reference::directionalAlbedoPrinted(c, r, 80) / std::numbers::pi, tableAt(tables[1], cosine, m), truth});
+                                   reference::directionalAlbedoPrinted(c, r, printedF0, 80) / std::numbers::pi, corrected, truth,
+                                   correctedTruth});
             errata.list.push_back({"Energy table, 32 x 32 end-point rule (what shader model 3 can do)", place + ", divided by pi",
-                                   tableAt(tables[0], cosine, m) / std::numbers::pi, tableAt(tables[1], cosine, m), truth});
+                                   tableAt(tables[0], cosine, m) / std::numbers::pi, corrected, truth, correctedTruth});
         }
     return {};
 }

@@ -3,21 +3,24 @@
 
 #include "lab/verify/verify.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace tegument {
 
-/// One figure of one finding. `truth` is the exact value of what the two aim at.
+/// One figure of one finding. `truth` is the exact value of what the printed form aims at, and the corrected one where it has none of its
+/// own: reflectances at normal incidence differ.
 struct Erratum {
     std::string finding;  // "Transmission exponent"
     std::string quantity; // "red light through 2 mm"
     double printed = 0;
     double corrected = 0;
     double truth = 0;
+    std::optional<double> correctedTruth = {};
 
     [[nodiscard]] double printedError() const { return printed - truth; }
-    [[nodiscard]] double correctedError() const { return corrected - truth; }
+    [[nodiscard]] double correctedError() const { return corrected - correctedTruth.value_or(truth); }
 };
 
 /// Largest and root mean square error of an edge of light on a plane, per channel.

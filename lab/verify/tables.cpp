@@ -1,6 +1,7 @@
 // The two precomputed tables: Beckmann's distribution and the directional albedo.
 
 #include "generated/setting_names.h"
+#include "lab/reference/skin.h"
 #include "lab/reference/specular.h"
 #include "lab/verify/work.h"
 
@@ -119,8 +120,10 @@ Result<ModuleReport> verifyEnergyAttenuation(const Context& context) {
     if (!run) return run.error();
     const Image table = sumOfHalves(run->dumped.at("gEnergyAttenuationMap"));
     constexpr int kNodes = 32; // of the shader: what shader model 3 is sure to execute
+    const double f0 = reference::skinSettings(context.options.setting).fresnel0;
     const Image exact = tabulate(table.width, table.height, [&](double c, double m) {
-        return corrected ? reference::directionalAlbedo(c, m) / std::numbers::pi : reference::directionalAlbedoPrinted(c, m, kNodes);
+        return corrected ? reference::directionalAlbedo(c, m, f0) / std::numbers::pi
+                         : reference::directionalAlbedoPrinted(c, m, f0, kNodes);
     });
     const Limits quadrature{.relativeL2 = 3e-3,
                             .p99 = 3e-2,

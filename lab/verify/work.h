@@ -79,6 +79,9 @@ inline constexpr const char* kShadowApart = "within 3 texels of the shadow map f
 /// Limits of a picture of shadows where it is not apart: 0 and 1 exactly in setting corrected, with false shadows in the printed ones.
 [[nodiscard]] Limits shadowLimits(const Context& context);
 
+/// Of the drawn specular layer: what it mirrors of light along the normal, and of light from all sides.
+[[nodiscard]] Result<void> measureAlbedos(ModuleReport& report, const Context& context);
+
 [[nodiscard]] Result<ModuleReport> verifyOriginalTexture(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifySpecular(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyShadowMap(const Context& context);

@@ -20,7 +20,7 @@ constexpr int kBlockSide = 8; // of cells whose cone is asked first
 constexpr int kBlocksAcross = kSourceSide / kBlockSide;
 constexpr float kRounding = 1e-5F;        // of cosines in single precision
 constexpr float kLargestRadiance = 64512; // hlsl/settings.fxh: kTgLargestHalf
-constexpr double kFresnel0 = 0.028;       // hlsl/settings.fxh: kTgFresnel0
+constexpr double kFresnel0 = 0.04;        // hlsl/constants.fxh: kTgFresnel0
 /// Samples of the panorama across, at least: some for each texel of the cube map.
 constexpr int kSamplesAcross = 4096;
 constexpr double kLobeEnd = 9; // exp(-kLobeEnd) of a lobe's height is nothing

@@ -158,7 +158,8 @@ std::vector<FunctionCase> shadows() {
     std::vector<FunctionCase> cases;
     // Taps a quarter of a texel of the base from each other, three quarters to six texels of the shadow map.
     cases.push_back(pyramidCase(
-        "entryShadow", std::string(kFacing) + "p.lightUv = a0; p.depth = a1; p.footprint = a3; return float4(entryShadow(p, a2), 0, 0, 0);",
+        "entryShadow",
+        std::string(kFacing) + "p.lightUv = a0; p.depth = a1; p.footprint = a3; return float4(entryShadow(p, p.meshNormal, a2), 0, 0, 0);",
         {linear(0.1, 0.9, 2), linear(596, 604), logarithmic(0.002, 4), linear(0.1, 2)}, [](const Inputs& x) {
             const double f = x.scalar(3);
             const double apart = std::clamp(0.25 / std::sqrt(x.scalar(2)), 0.75 * f, 6 * f);
@@ -175,15 +176,78 @@ std::vector<FunctionCase> shadows() {
         return values(std::min(mesh, x.scalar(1)) > 0 ? horizonOf(mesh) : 0);
     };
     const std::string low = std::string(kFacing) + "p.meshNormal = float3(sqrt(1.0 - a0 * a0), 0, a0); p.cosine = a1; p.footprint = 0.2; ";
-    cases.push_back(
-        pyramidCase("entryShadow", low + "return float4(entryShadow(p, 1.0), 0, 0, 0);", {linear(-0.01, 0.02), linear(-0.1, 1)}, own));
-    cases.push_back(pyramidCase("finalShadow", low + "p.scatters = a2; return float4(finalShadow(p), 0, 0, 0);",
+    cases.push_back(pyramidCase("entryShadow", low + "return float4(entryShadow(p, p.meshNormal, 1.0), 0, 0, 0);",
+                                {linear(-0.01, 0.02), linear(-0.1, 1)}, own));
+    cases.push_back(pyramidCase("finalShadow", low + "p.scatters = a2; return float4(finalShadow(p, p.meshNormal), 0, 0, 0);",
                                 {linear(-0.01, 0.02), linear(-0.1, 1), whole(0, 1)}, own));
     cases.push_back(pyramidCase("facesLight", low + "return float4(facesLight(p) ? 1.0 : 0.0, 0, 0, 0);",
                                 {linear(-0.01, 0.02), linear(-0.1, 1)},
                                 [](const Inputs& x) { return values(std::min(x.scalar(0), x.scalar(1)) > 0 ? 1 : 0); }));
     for (std::size_t i = cases.size() - 3; i < cases.size(); ++i)
         cases[i].maps["gShadowMap"] = oneTexel(0);
+    // Where the surface is oblique the taps would print the map's steps: its nearest texels, from a facet whatever the mesh's normal.
+    cases.push_back(
+        pyramidCase("entryShadow",
+                    std::string(kFacing) +
+                        "float3 facet = float3(sqrt(1.0 - a3 * a3), 0, a3); p.lightUv = a0; p.depth = a1; p.footprint = a2; "
+                        "float lit = entryShadow(p, facet, 100.0); p.meshNormal = facet; "
+                        "float2 slope = tgShadowPlanarSlope(facet, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint); "
+                        "PlanarPlace at = planarPlace(p, slope, 0.7072); "
+                        "return float4(lit - tgShadowSharp(gShadowMap, gShadow, at.uv, at.depth - dot(abs(slope), 1.0), slope), 0, 0, 0);",
+                    {linear(0.1, 0.9, 2), linear(596, 604), linear(0.16, 1), linear(0.05, 0.95)}, [](const Inputs&) { return values(0); }));
+    cases.back().map = &shadowMap();
+    cases.back().filtered = false;
+    cases.back().tolerance = {.forward = 0, .backward = 0, .absolute = 1e-6, .why = "the same call"};
+    cases.back().domain = [](const Inputs& x) { return x.scalar(2) > 0.155 && x.scalar(3) > 0.04 && x.scalar(3) < 0.96; };
+    return cases;
+}
+
+/// Places along a row of 256 texels; of every fifth one nothing is known.
+glm::dvec4 wayPlace(int x) {
+    return {0.1 * x, 0.001 * x * x, 5 - 0.05 * x, x % 5 == 0 ? 0 : 1};
+}
+
+std::vector<FunctionCase> facets() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(pyramidCase("facetBend",
+                                std::string(kFacing) + "p.meshNormal = float3(sqrt(1.0 - a0 * a0), 0, a0); p.footprint = a1; return "
+                                                       "float4(facetBend(p, a2), 0, 0, 0);",
+                                {linear(0.2, 0.95), linear(0.1, 1), linear(-2, 2, 2)}, [](const Inputs& x) {
+                                    const double rise = x.scalar(1) * std::sqrt(1 - x.scalar(0) * x.scalar(0)) / x.scalar(0);
+                                    return values(std::abs(x.scalar(2) - rise) + std::abs(x.scalar(2, 1)));
+                                }));
+    cases.back().domain = [](const Inputs& x) { return x.scalar(0) > 0.16 && x.scalar(0) < 0.999 && x.scalar(1) > 0; };
+    cases.push_back(pyramidCase("atlasWay",
+                                "float2 uv = float2((a0 + 0.5) / 256.0, 0.5); float3 place = tex2Dlod(gAtlasPosition, float4(uv, 0.0, "
+                                "0.0)).xyz; return float4(atlasWay(uv, place, float2(1.0, 0.0)), 0);",
+                                {whole(0, 254)}, [](const Inputs& x) {
+                                    const auto at = static_cast<int>(std::lround(x.scalar(0)));
+                                    if (wayPlace(at + 1).w <= 0) return values(0);
+                                    const glm::dvec3 way = kSkinScale * glm::dvec3(wayPlace(at + 1) - wayPlace(at));
+                                    return values(way.x, way.y, way.z);
+                                }));
+    cases.back().maps["gAtlasPositionMap"] = mapOf(256, 1, [](int x, int) {
+        const glm::dvec4 place = wayPlace(x);
+        return texelOf(place.x, place.y, place.z, place.w);
+    });
+    cases.back().filtered = false;
+    cases.back().tolerance = {.forward = 16, .backward = 0, .absolute = 3e-5, .why = "differences of places up to 140"};
+    cases.push_back(pyramidCase("facetNormal",
+                                "LitPoint p = (LitPoint)0; p.meshNormal = a2; p.toLight = a3; return float4(facetNormal(p, a0, a1), 0);",
+                                {linear(-1, 1, 3), linear(-1, 1, 3), unit(), unit()}, [](const Inputs& x) {
+                                    glm::dvec3 facet = glm::normalize(glm::cross(x.vec3(0), x.vec3(1)));
+                                    if (glm::dot(facet, x.vec3(2)) < 0) facet = -facet;
+                                    const bool one = glm::dot(facet, x.vec3(2)) > 0.7 && glm::dot(facet, x.vec3(3)) > 0;
+                                    const glm::dvec3 normal = one ? facet : x.vec3(2);
+                                    return values(normal.x, normal.y, normal.z);
+                                }));
+    cases.back().tolerance = {.forward = 16, .backward = 4, .absolute = 1e-4, .why = "a cross product that may cancel to 0.01"};
+    cases.back().domain = [](const Inputs& x) {
+        const glm::dvec3 across = glm::cross(x.vec3(0), x.vec3(1));
+        if (glm::length(across) < 0.01 || !isUnit(x.vec3(2)) || !isUnit(x.vec3(3))) return false;
+        const double mesh = glm::dot(glm::normalize(across), x.vec3(2));
+        return std::abs(std::abs(mesh) - 0.7) > 1e-4 && std::abs(glm::dot(glm::normalize(across), x.vec3(3))) > 1e-4;
+    };
     return cases;
 }
 
@@ -248,7 +312,7 @@ std::vector<FunctionCase> computed() {
 } // namespace
 
 std::vector<FunctionCase> pyramidPassCases() {
-    return together(weights(), entryPoints(), entering(), shadows(), computed());
+    return together(weights(), entryPoints(), entering(), shadows(), facets(), computed());
 }
 
 } // namespace tegument::test

@@ -82,8 +82,8 @@ double mirrored(const glm::dvec3& normal, const glm::dvec3& toLight, const glm::
     const glm::dvec3 h = toLight + toEye;
     const glm::dvec3 halfway = h / std::max(glm::length(h), 1e-10);
     const double ph = reference::beckmannPH(std::max(glm::dot(normal, halfway), 1e-3), roughness);
-    return std::clamp(glm::dot(normal, toLight), 0.0, 1.0) * intensity * ph * reference::fresnelSchlick(glm::dot(toEye, halfway)) /
-           std::max(glm::dot(h, h), 1e-4);
+    return std::clamp(glm::dot(normal, toLight), 0.0, 1.0) * intensity * ph *
+           reference::fresnelSchlick(glm::dot(toEye, halfway), kSkinFresnel0) / std::max(glm::dot(h, h), 1e-4);
 }
 
 } // namespace tegument::test

@@ -20,6 +20,7 @@ inline const glm::dvec3 kSkinCamera = {30, 40, 500};
 inline constexpr double kSkinMix = 0.3;
 inline constexpr double kSkinRoughness = 0.3;
 inline constexpr double kSkinIntensity = 0.4;
+inline constexpr double kSkinFresnel0 = 0.04; // of setting corrected
 inline constexpr double kPlainRoughness = 0.5;
 inline constexpr double kPlainIntensity = 0.6;
 inline constexpr double kSkinTransmission = 0.8;

@@ -59,7 +59,7 @@ SAMPLER(gLight5, POINT);
 SAMPLER_OF(gLinear, gLight6Map, LINEAR);
 
 static const float kRoughness = 0.3;
-static const float kIntensity = 0.18;
+static const float kIntensity = TG_SKIN_SPECULAR_INTENSITY;
 static const float2 kPlain = float2(0.1, 0.5); // roughness and intensity of eyeballs
 
 struct Mesh

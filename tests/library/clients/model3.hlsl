@@ -6,5 +6,5 @@ float4 main(float4 lightClip : TEXCOORD0, float3 normal : TEXCOORD1, float3 toLi
 {
     float depth = tgShadowDepth(lightClip, toLight);
     float lit = tgShadowTest(TG_SAMPLER2D_ARG(gShadow), tgShadowCoordinate(lightClip), depth, TG_SKIN_SHADOW_TOLERANCE, float2(0.0, 0.0));
-    return lit * tgKelemenSpecular(tgSafeNormalize(normal), tgSafeNormalize(toLight), tgSafeNormalize(toEye), 0.3, 0.18);
+    return lit * tgKelemenSpecular(tgSafeNormalize(normal), tgSafeNormalize(toLight), tgSafeNormalize(toEye), 0.3, 1.0);
 }

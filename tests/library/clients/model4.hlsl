@@ -7,5 +7,5 @@ float4 main(float4 lightClip : TEXCOORD0, float3 normal : TEXCOORD1, float3 toLi
 {
     float2 place = tgShadowCoordinate(lightClip);
     float lit = tgShadowTest(TG_SAMPLER2D_ARG_OF(nearest, depths), place, tgShadowDepth(lightClip, toLight), 0.3, float2(0.0, 0.0));
-    return lit * tgKelemenSpecular(tgSafeNormalize(normal), tgSafeNormalize(toLight), tgSafeNormalize(toEye), 0.3, 0.18);
+    return lit * tgKelemenSpecular(tgSafeNormalize(normal), tgSafeNormalize(toLight), tgSafeNormalize(toEye), 0.3, 1.0);
 }

@@ -45,7 +45,7 @@ double lobeOf(const glm::dvec3& normal, const glm::dvec3& toLight, double m) {
     const double nh = glm::dot(normal, glm::normalize(sum));
     const double tan2 = 1 / (nh * nh) - 1;
     const double ph = std::exp(-tan2 / (m * m)) / (m * m * std::pow(nh, 4));
-    return ph * (0.028 + 0.972 * std::pow(1 - nh, 5)) * nl / glm::dot(sum, sum);
+    return ph * (0.04 + 0.96 * std::pow(1 - nh, 5)) * nl / glm::dot(sum, sum);
 }
 
 /// sum(w L) / sum(w) over the pixels, each with its solid angle.

@@ -67,12 +67,7 @@ Workspace litFrom(const glm::dvec3& direction) {
 }
 
 Result<Image> drawnSpecular(const Context& context, const Mesh& mesh, const Workspace& workspace) {
-    auto run = render(context, {.effect = "Specular.fx",
-                                .technique = "SpecularUnshadowed",
-                                .width = kAlbedoSize,
-                                .height = kAlbedoSize,
-                                .mesh = &mesh,
-                                .workspace = workspace});
+    auto run = render(context, {.effect = "Specular.fx", .technique = "SpecularUnshadowed", .size = kAlbedoSize}, &mesh, workspace);
     if (!run) return run.error();
     return std::move(run->image);
 }

@@ -218,8 +218,7 @@ Result<void> addAlbedo(Errata& errata, gpu::Device& device, VerifyOptions option
     std::vector<Image> tables;
     for (const char* setting : {kSettingDeon2007, kSettingCorrected}) {
         options.setting = setting;
-        const auto run =
-            verify::render({device, options}, {.effect = "EnergyAttenuation.fx", .workspace = {}, .dump = {"gEnergyAttenuationMap"}});
+        const auto run = verify::render({device, options}, {.effect = "EnergyAttenuation.fx", .dump = {"gEnergyAttenuationMap"}});
         if (!run) return run.error();
         tables.push_back(run->dumped.at("gEnergyAttenuationMap"));
     }

@@ -83,13 +83,11 @@ Result<void> verifyShadowBorder(ModuleReport& report, const Context& context) {
         narrow[i] = 1;
     for (std::size_t i = 0; i < 6; ++i)
         narrow[4 * i + 3] = reference::skinProfile()[i].variance;
-    const auto run = render(context, {.effect = "Pyramid.fx",
-                                      .technique = "Pyramid",
-                                      .width = kBorderPicture,
-                                      .height = kBorderPicture,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .parameters = {{"gGaussianWeight", narrow}, {"gSpecularIntensity", {0}}, {"gPlainIntensity", {0}}}});
+    const auto run = render(context, scene,
+                            {.effect = "Pyramid.fx",
+                             .technique = "Pyramid",
+                             .size = kBorderPicture,
+                             .parameters = {{"gGaussianWeight", narrow}, {"gSpecularIntensity", {0}}, {"gPlainIntensity", {0}}}});
     if (!run) return run.error();
     constexpr double kRed = 0.8; // of skin without a colour map
     const auto drawn = bordersOf(truth, seen, [&](std::size_t i) {

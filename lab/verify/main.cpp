@@ -78,12 +78,14 @@ Limits pictureLimits(const Context& context, bool fromBehind) {
                 .why = "false shadows of the printed comparison, widths and gain of the printed kernel (docs/design/modules/TSM.md, "
                        "Convolution.md)"};
     if (fromBehind)
-        return {.relativeL2 = 0.015,
-                .p99 = 0.15,
-                .bias = 8e-3,
-                .apart = 0.5,
-                .why = "the way through the body is known to a texel of the map; apart: at the outline seen from the light it is not known "
-                       "at all"};
+        return {
+            .relativeL2 = 0.015,
+            .p99 = 0.15,
+            .bias = 8.2e-3,
+            .apart = 0.5,
+            .why = "the way through the body is known to a texel of the map (0.00798 at 128 texels where the surface mirrored an eighth of "
+                   "what it does, 0.00801 now); apart: at the outline seen from the light it is not known "
+                   "at all"};
     return {.relativeL2 = 0.01,
             .p99 = 0.05,
             .bias = 2e-3,

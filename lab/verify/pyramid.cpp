@@ -284,8 +284,6 @@ Result<ModuleReport> verifyPyramid(const Context& context) {
     if (const auto done = verifyAtlas(report, context, at); !done) return done.error();
     if (const auto done = verifyBase(report, context, at); !done) return done.error();
     if (const auto done = verifyPyramidLight(report, context, at); !done) return done.error();
-    if (context.options.setting == kSettingCorrected)
-        if (const auto done = verifyShadowBorder(report, context); !done) return done.error();
     return report;
 }
 

@@ -13,7 +13,4 @@ struct PyramidScene {
 
 /// Levels, links and the picture against the integral over the surface.
 [[nodiscard]] Result<void> verifyPyramidLight(ModuleReport& report, const Context& context, const PyramidScene& at);
-/// Where its shadows end, against rays.
-[[nodiscard]] Result<void> verifyShadowBorder(ModuleReport& report, const Context& context);
-
 } // namespace tegument::verify

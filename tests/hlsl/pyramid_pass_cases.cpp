@@ -218,8 +218,8 @@ std::vector<FunctionCase> facets() {
                                 }));
     cases.back().domain = [](const Inputs& x) { return x.scalar(0) > 0.16 && x.scalar(0) < 0.999 && x.scalar(1) > 0; };
     cases.push_back(pyramidCase("atlasWay",
-                                "float2 uv = float2((a0 + 0.5) / 256.0, 0.5); float3 place = tex2Dlod(gAtlasPosition, float4(uv, 0.0, "
-                                "0.0)).xyz; return float4(atlasWay(uv, place, float2(1.0, 0.0)), 0);",
+                                "float3 place = gAtlasPositionMap.Load(int3(a0, 0, 0)).xyz; "
+                                "return float4(atlasWay(float2((a0 + 0.5) / 256.0, 0.5), place, float2(1.0, 0.0)), 0);",
                                 {whole(0, 254)}, [](const Inputs& x) {
                                     const auto at = static_cast<int>(std::lround(x.scalar(0)));
                                     if (wayPlace(at + 1).w <= 0) return values(0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 namespace tegument {
 
@@ -38,6 +39,18 @@ std::size_t keepTriangles(Mesh& mesh, Keep keep) {
     mesh.indices.resize(to);
     mesh.parts = std::move(parts);
     return dropped;
+}
+
+/// The triangles of a grid of (columns + 1) x (rows + 1) vertices that stand row by row from `first` on: those of one cell by the letters
+/// of its corners, a and b in a row, c and d in the next.
+inline void addGrid(std::vector<std::uint32_t>& indices, std::uint32_t columns, std::uint32_t rows, std::string_view cell,
+                    std::uint32_t first = 0) {
+    for (std::uint32_t row = 0; row < rows; ++row)
+        for (std::uint32_t column = 0; column < columns; ++column)
+            for (const char corner : cell) {
+                const auto at = static_cast<std::uint32_t>(corner - 'a');
+                indices.push_back(first + (row + at / 2) * (columns + 1) + column + at % 2);
+            }
 }
 
 } // namespace tegument

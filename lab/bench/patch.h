@@ -1,7 +1,7 @@
 #pragma once
 // Inside lab/bench: a piece of surface given by a formula, with its chart.
 
-#include "host/mesh/mesh.h"
+#include "host/mesh/triangles.h"
 
 #include <functional>
 
@@ -31,14 +31,8 @@ inline void addPatch(Mesh& mesh, const Patch& patch) {
     const glm::dvec3 middle = patch.position(0.5, 0.5);
     const glm::dvec3 facing = glm::cross(patch.position(0.5 + kStep, 0.5) - middle, patch.position(0.5, 0.5 + kStep) - middle);
     const bool flip = glm::dot(facing, patch.normal(0.5, 0.5)) < 0;
-    for (int j = 0; j < patch.rows; ++j)
-        for (int i = 0; i < patch.columns; ++i) {
-            const std::uint32_t a = first + static_cast<std::uint32_t>(j * (patch.columns + 1) + i);
-            const std::uint32_t c = a + static_cast<std::uint32_t>(patch.columns) + 2;
-            const std::uint32_t b = flip ? c - 1 : a + 1;
-            const std::uint32_t d = flip ? a + 1 : c - 1;
-            mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
-        }
+    addGrid(mesh.indices, static_cast<std::uint32_t>(patch.columns), static_cast<std::uint32_t>(patch.rows), flip ? "acdadb" : "abdadc",
+            first);
 }
 
 [[nodiscard]] inline std::function<glm::dvec2(double, double)> rectangle(const glm::dvec2& corner, const glm::dvec2& size) {

@@ -1,5 +1,6 @@
 // The generated head: a star-shaped body over the faces of a cube, each a chart of its own.
 
+#include "host/mesh/triangles.h"
 #include "lab/invariance/invariance.h"
 #include "lab/verify/painted.h"
 
@@ -89,11 +90,7 @@ void addFace(Mesh& mesh, std::size_t chart) {
             mesh.normals.push_back(normalAt(face, s, t));
             mesh.uvs.push_back(uvAt(chart, face.mirroredChart, s, t));
         }
-    const auto vertex = [&](int i, int j) { return first + static_cast<std::uint32_t>(j * (kQuads + 1) + i); };
-    for (int j = 0; j < kQuads; ++j)
-        for (int i = 0; i < kQuads; ++i)
-            mesh.indices.insert(mesh.indices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                                                     vertex(i + 1, j + 1), vertex(i, j + 1)});
+    addGrid(mesh.indices, kQuads, kQuads, "abdadc", first);
 }
 
 constexpr double kTurn = 2 * std::numbers::pi;

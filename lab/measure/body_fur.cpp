@@ -1,6 +1,7 @@
 #include "lab/measure/body_fur.h"
 
 #include "host/image/dds.h"
+#include "host/mesh/triangles.h"
 #include "host/support/parallel.h"
 #include "lab/measure/plain_strands.h"
 #include "lab/reference/pinhole.h"
@@ -43,11 +44,7 @@ Mesh meshOf(const FurBody& body) {
             mesh.positions.emplace_back(p);
             mesh.normals.emplace_back(onFurBody(body, p).normal);
         }
-    const auto vertex = [](int i, int j) { return static_cast<std::uint32_t>(j * (kAlong + 1) + i); };
-    for (int j = 0; j < kAcross; ++j)
-        for (int i = 0; i < kAlong; ++i)
-            mesh.indices.insert(mesh.indices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                                                     vertex(i + 1, j + 1), vertex(i, j + 1)});
+    addGrid(mesh.indices, kAlong, kAcross, "abdadc");
     mesh.parts = {{.name = mesh.name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     computeBounds(mesh);
     return mesh;

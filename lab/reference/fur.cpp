@@ -85,22 +85,29 @@ void FurShells::drawBehindFirst() {
 }
 
 void FurShells::findEnd(std::uint32_t triangle, std::vector<double>& ends) {
-    const auto [a, b, c] = corners(triangle, 1);
-    if (glm::dot(glm::cross(b - a, c - a), a - view_.eye) <= 0) return;
+    const std::array<glm::dvec3, 3> t = corners(triangle, 1);
+    if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), t[0] - view_.eye) <= 0) return;
+    cover(t, [&](int x, int y) {
+        glm::dvec3 weights;
+        const FurFragment end = meet(coat_.layers, triangle, 1, view_.ray(x, y), weights);
+        if (std::min({weights.x, weights.y, weights.z}) < 0) return;
+        ends[index(x, y)] = std::min(ends[index(x, y)], end.depth);
+        ++ends_[index(x, y)];
+    });
+}
+
+template <class Visit>
+void FurShells::cover(const std::array<glm::dvec3, 3>& t, Visit visit) {
     const glm::dvec2 size(view_.width, view_.height);
-    const std::array<glm::dvec2, 3> points{view_.project(a) * size - 0.5, view_.project(b) * size - 0.5, view_.project(c) * size - 0.5};
+    const std::array<glm::dvec2, 3> points{view_.project(t[0]) * size - 0.5, view_.project(t[1]) * size - 0.5,
+                                           view_.project(t[2]) * size - 0.5};
     const glm::dvec2 low = glm::ceil(glm::max(glm::min(points[0], glm::min(points[1], points[2])) - kAsideBy, glm::dvec2(0)));
     const glm::dvec2 high = glm::floor(glm::min(glm::max(points[0], glm::max(points[1], points[2])) + kAsideBy, size - 1.0));
     for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
         for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
-            const std::size_t pixel = index(x, y);
             for (std::size_t i = 0; i < kAside.size(); ++i)
-                if (isInside(points, glm::dvec2(x, y) + kAsideBy * kAside[i])) ++aside_[pixel][i];
-            glm::dvec3 weights;
-            const FurFragment end = meet(coat_.layers, triangle, 1, view_.ray(x, y), weights);
-            if (std::min({weights.x, weights.y, weights.z}) < 0) continue;
-            ends[pixel] = std::min(ends[pixel], end.depth);
-            ++ends_[pixel];
+                if (isInside(points, glm::dvec2(x, y) + kAsideBy * kAside[i])) ++aside_[index(x, y)][i];
+            visit(x, y);
         }
 }
 
@@ -158,20 +165,13 @@ void FurShells::draw(int layer, double height) {
 }
 
 void FurShells::draw(int layer, std::uint32_t triangle, double height) {
-    const auto [a, b, c] = placed(corners(triangle, height));
-    if (glm::dot(glm::cross(b - a, c - a), a - view_.eye) >= 0) return; // turned away
-    const glm::dvec2 size(view_.width, view_.height);
-    const std::array<glm::dvec2, 3> points{view_.project(a) * size - 0.5, view_.project(b) * size - 0.5, view_.project(c) * size - 0.5};
-    const glm::dvec2 low = glm::ceil(glm::max(glm::min(points[0], glm::min(points[1], points[2])) - kAsideBy, glm::dvec2(0)));
-    const glm::dvec2 high = glm::floor(glm::min(glm::max(points[0], glm::max(points[1], points[2])) + kAsideBy, size - 1.0));
-    for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
-        for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
-            glm::dvec3 weights;
-            const FurFragment fragment = meet(layer, triangle, height, view_.ray(x, y), weights);
-            if (std::min({weights.x, weights.y, weights.z}) >= 0) pixels_[index(x, y)].push_back(fragment);
-            for (std::size_t i = 0; i < kAside.size(); ++i)
-                if (isInside(points, glm::dvec2(x, y) + kAsideBy * kAside[i])) ++aside_[index(x, y)][i];
-        }
+    const std::array<glm::dvec3, 3> t = placed(corners(triangle, height));
+    if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), t[0] - view_.eye) >= 0) return; // turned away
+    cover(t, [&](int x, int y) {
+        glm::dvec3 weights;
+        const FurFragment fragment = meet(layer, triangle, height, view_.ray(x, y), weights);
+        if (std::min({weights.x, weights.y, weights.z}) >= 0) pixels_[index(x, y)].push_back(fragment);
+    });
 }
 
 bool FurShells::isClear(int x, int y) const {

@@ -95,6 +95,9 @@ private:
                                    glm::dvec3& weights) const;
     void drawBehindFirst();
     void findEnd(std::uint32_t triangle, std::vector<double>& ends);
+    /// `visit(x, y)` for the pixels that a triangle of a layer may cover; counts places beside them that it covers.
+    template <class Visit>
+    void cover(const std::array<glm::dvec3, 3>& t, Visit visit);
     void draw(int layer, double height);
     void draw(int layer, std::uint32_t triangle, double height);
 

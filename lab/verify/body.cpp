@@ -1,5 +1,6 @@
 // The built-in body: a lens with a bump, front and back in a chart each.
 
+#include "host/mesh/triangles.h"
 #include "lab/verify/painted.h"
 #include "lab/verify/scene.h"
 
@@ -63,18 +64,7 @@ void addSide(Mesh& mesh, bool front) {
             mesh.normals.push_back(normalAt(s, t, front));
             mesh.uvs.push_back(uvAt(s, t, front));
         }
-    const auto vertex = [&](int i, int j) { return first + static_cast<std::uint32_t>(j * (kColumns + 1) + i); };
-    for (int j = 0; j < kRows; ++j)
-        for (int i = 0; i < kColumns; ++i) {
-            const std::uint32_t a = vertex(i, j);
-            const std::uint32_t b = vertex(i + 1, j);
-            const std::uint32_t c = vertex(i + 1, j + 1);
-            const std::uint32_t d = vertex(i, j + 1);
-            if (front)
-                mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
-            else
-                mesh.indices.insert(mesh.indices.end(), {a, c, b, a, d, c});
-        }
+    addGrid(mesh.indices, kColumns, kRows, front ? "abdadc" : "adbacd", first);
 }
 
 glm::dvec4 colour(double u, double v) {

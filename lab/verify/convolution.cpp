@@ -125,14 +125,11 @@ Result<void> verifyCascade(ModuleReport& report, const Context& context, const S
     const int size = context.options.mapSize;
     RenderJob job{.effect = "Convolution.fx",
                   .technique = "Convolution",
-                  .width = size,
-                  .height = size,
-                  .mesh = &scene.mesh,
-                  .workspace = scene.workspace,
+                  .size = size,
                   .dump = {kTargets.begin(), kTargets.end()},
                   .defines = {{"TEGUMENT_MAP_BITS", "32"}}};
     job.dump.emplace_back("gIrradianceMap");
-    const auto run = render(context, job);
+    const auto run = render(context, scene, job);
     if (!run) return run.error();
     const ChartMap given = givenLight(*run, scene.mesh);
     return compareCascade(report, context, scene, given, *run);
@@ -146,10 +143,7 @@ Result<void> verifyPoisson(ModuleReport& report, const Context& context, const S
         context,
         {.effect = "Convolution.fx",
          .technique = "Poisson",
-         .width = size,
-         .height = size,
-         .mesh = &scene.mesh,
-         .workspace = scene.workspace,
+         .size = size,
          .dump = {"gIrradianceMap", "gBlurOddMap"},
          .parameters = {{"gBlurSize", {discs.size}}, {"gBlurTurn", {discs.turn}}, {"gBlurCount", {static_cast<double>(discs.count)}}},
          .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
@@ -168,13 +162,8 @@ Result<void> verifyPoisson(ModuleReport& report, const Context& context, const S
 /// White light over the charts: what comes out is the sum of the weights, nothing above what went in.
 Result<void> verifyWhite(ModuleReport& report, const Context& context, const Scene& scene) {
     const int size = context.options.mapSize;
-    const auto run = render(context, {.effect = "Convolution.fx",
-                                      .technique = "White",
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
+    const auto run =
+        render(context, scene, {.effect = "Convolution.fx", .technique = "White", .size = size, .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
     if (!run) return run.error();
     const double gain = context.options.setting == kSettingCorrected ? 1 : 1.001;
     double largest = 0;

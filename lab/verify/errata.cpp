@@ -100,13 +100,13 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
     workspace.camera.position = {0, 0, 500};
     workspace.light.direction = glm::vec3(0, 0, -1);
     workspace.light.width = 1e-3F; // the edge is one of colour: no shadow's filter has been over it
-    const auto run = render(context, {.effect = "Convolution.fx",
-                                      .technique = "Convolution",
-                                      .mesh = &mesh,
-                                      .workspace = workspace,
-                                      .dump = {kMaps.begin(), kMaps.end()},
-                                      .parameters = {{"gMix", {1}}, {"gSpecularIntensity", {0}}},
-                                      .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
+    const auto run = render(context,
+                            {.effect = "Convolution.fx",
+                             .technique = "Convolution",
+                             .dump = {kMaps.begin(), kMaps.end()},
+                             .parameters = {{"gMix", {1}}, {"gSpecularIntensity", {0}}},
+                             .defines = {{"TEGUMENT_MAP_BITS", "32"}}},
+                            &mesh, workspace);
     if (!run) return run.error();
     const double light = run->dumped.at("gIrradianceMap").at(size * 7 / 8, size / 2, 0);
     DrawnEdge edge{.texel = texel, .phase = phase, .maps = {}};
@@ -215,8 +215,7 @@ Result<void> addAlbedo(Errata& errata, gpu::Device& device, VerifyOptions option
     std::vector<Image> tables;
     for (const char* setting : {kSettingDeon2007, kSettingCorrected}) {
         options.setting = setting;
-        const auto run =
-            verify::render({device, options}, {.effect = "EnergyAttenuation.fx", .workspace = {}, .dump = {"gEnergyAttenuationMap"}});
+        const auto run = verify::render({device, options}, {.effect = "EnergyAttenuation.fx", .dump = {"gEnergyAttenuationMap"}});
         if (!run) return run.error();
         tables.push_back(run->dumped.at("gEnergyAttenuationMap"));
     }

@@ -214,15 +214,9 @@ Result<void> comparePart(ModuleReport& report, const Context& context, const Fur
     const int size = context.options.pictureSize;
     Workspace workspace = scene.scene.workspace;
     workspace.textures[part.cube ? "gFurCubeMap" : "gFurSphereMap"] = maps.file(part.cube).string();
-    const auto run = render(context, {.effect = "Fur.fx",
-                                      .technique = part.technique,
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.scene.mesh,
-                                      .workspace = workspace,
-                                      .dump = {},
-                                      .parameters = parametersOf(scene.coat),
-                                      .defines = {}});
+    const auto run =
+        render(context, {.effect = "Fur.fx", .technique = part.technique, .size = size, .parameters = parametersOf(scene.coat)},
+               &scene.scene.mesh, workspace);
     if (!run) return run.error();
     const Drawn exact = drawReference(view, part, maps, glm::dvec3(workspace.background));
     const std::string subject = fmt::format("{}, {}", part.technique, scene.name);

@@ -152,15 +152,12 @@ Result<Image> renderStrands(const Context& context, const StrandsScene& scene, c
         workspace.textures["gFurRootsMap"] = file.path();
     }
     const int size = context.options.pictureSize;
-    const auto run = render(context, {.effect = by.effect,
-                                      .technique = by.technique.empty() ? scene.technique : by.technique,
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = by.mesh ? by.mesh : &scene.scene.mesh,
-                                      .workspace = workspace,
-                                      .dump = {},
-                                      .parameters = parametersOf(scene),
-                                      .defines = {}});
+    const auto run = render(context,
+                            {.effect = by.effect,
+                             .technique = by.technique.empty() ? scene.technique : by.technique,
+                             .size = size,
+                             .parameters = parametersOf(scene)},
+                            by.mesh ? by.mesh : &scene.scene.mesh, workspace);
     if (!run) return run.error();
     return rgb(run->image);
 }

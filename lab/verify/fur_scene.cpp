@@ -1,6 +1,7 @@
 #include "lab/verify/fur_scene.h"
 
 #include "generated/setting_names.h"
+#include "host/mesh/triangles.h"
 #include "lab/verify/work.h"
 
 #include <algorithm>
@@ -24,11 +25,7 @@ Mesh surface(const char* name, int alongU, int alongV, const std::function<glm::
             mesh.positions.push_back(at(uv.x, uv.y));
             mesh.uvs.push_back(uv);
         }
-    const auto vertex = [&](int i, int j) { return static_cast<std::uint32_t>(j * (alongU + 1) + i); };
-    for (int j = 0; j < alongV; ++j)
-        for (int i = 0; i < alongU; ++i)
-            mesh.indices.insert(mesh.indices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                                                     vertex(i + 1, j + 1), vertex(i, j + 1)});
+    addGrid(mesh.indices, static_cast<std::uint32_t>(alongU), static_cast<std::uint32_t>(alongV), "abdadc");
     mesh.parts = {{.name = name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     return mesh;
 }

@@ -1,6 +1,7 @@
 #include "lab/verify/fur_windows.h"
 
 #include "generated/setting_names.h"
+#include "host/mesh/triangles.h"
 #include "lab/verify/fur_scene.h"
 
 #include <algorithm>
@@ -53,11 +54,7 @@ Mesh plane() {
             mesh.normals.emplace_back(0, 1, 0);
             mesh.uvs.push_back(uv);
         }
-    for (int j = 0; j < kQuads; ++j)
-        for (int i = 0; i < kQuads; ++i) {
-            const auto v = static_cast<std::uint32_t>(j * (kQuads + 1) + i);
-            mesh.indices.insert(mesh.indices.end(), {v, v + kQuads + 1, v + kQuads + 2, v, v + kQuads + 2, v + 1});
-        }
+    addGrid(mesh.indices, kQuads, kQuads, "acdadb");
     mesh.parts = {{.name = mesh.name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     computeTangents(mesh);
     computeBounds(mesh);

@@ -68,8 +68,7 @@ Result<ModuleReport> verifyOriginalTexture(const Context& context) {
     const Scene scene = sceneOf(context.options);
     const Truth truth = truthOf(scene, context.options);
     const int size = context.options.pictureSize;
-    const auto run =
-        render(context, {.effect = "OriginalTexture.fx", .width = size, .height = size, .mesh = &scene.mesh, .workspace = scene.workspace});
+    const auto run = render(context, scene, {.effect = "OriginalTexture.fx", .size = size});
     if (!run) return run.error();
     const Seen seen = look(truth.skin, truth.camera);
     const auto counts = interior(seen);
@@ -92,12 +91,7 @@ Result<ModuleReport> verifyStretch(const Context& context) {
         .summary = "Every texel against the Jacobian of the triangle that covers its centre, and the gaps against the charts' mean"};
     const Scene scene = sceneOf(context.options);
     const int size = context.options.mapSize;
-    const auto run = render(context, {.effect = "Stretch.fx",
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .dump = {"gStretchMap", "gStretchChartsMap"}});
+    const auto run = render(context, scene, {.effect = "Stretch.fx", .size = size, .dump = {"gStretchMap", "gStretchChartsMap"}});
     if (!run) return run.error();
     const Seen seen = lookUnwrapped(scene.mesh, size);
     auto counts = interior(seen);
@@ -147,9 +141,7 @@ Result<ModuleReport> verifyTsm(const Context& context) {
     const Scene scene = sceneOf(context.options);
     const Truth truth = truthOf(scene, context.options);
     const int size = context.options.mapSize;
-    const auto run =
-        render(context,
-               {.effect = "TSM.fx", .width = size, .height = size, .mesh = &scene.mesh, .workspace = scene.workspace, .dump = {"gTsmMap"}});
+    const auto run = render(context, scene, {.effect = "TSM.fx", .size = size, .dump = {"gTsmMap"}});
     if (!run) return run.error();
     const Seen seen = look(truth.skin, truth.light);
     const auto counts = interior(seen);
@@ -180,26 +172,14 @@ Result<ModuleReport> verifyShadowMap(const Context& context) {
     const Scene scene = sceneOf(context.options);
     const Truth truth = truthOf(scene, context.options);
     const int size = context.options.mapSize;
-    const auto depths = render(context, {.effect = "ShadowMap.fx",
-                                         .technique = "ShadowMap",
-                                         .width = size,
-                                         .height = size,
-                                         .mesh = &scene.mesh,
-                                         .workspace = scene.workspace,
-                                         .dump = {"gShadowMap"}});
+    const auto depths = render(context, scene, {.effect = "ShadowMap.fx", .technique = "ShadowMap", .size = size, .dump = {"gShadowMap"}});
     if (!depths) return depths.error();
     const Seen fromLight = look(truth.skin, truth.light);
     const Image& map = depths->dumped.at("gShadowMap");
     addDepth(report, context, truth, map, fromLight, interior(fromLight));
     addCoverage(report, context, map, 0, fromLight);
 
-    const int pixels = context.options.pictureSize;
-    const auto shaded = render(context, {.effect = "ShadowMap.fx",
-                                         .technique = "Shadow",
-                                         .width = pixels,
-                                         .height = pixels,
-                                         .mesh = &scene.mesh,
-                                         .workspace = scene.workspace});
+    const auto shaded = render(context, scene, {.effect = "ShadowMap.fx", .technique = "Shadow", .size = context.options.pictureSize});
     if (!shaded) return shaded.error();
     const Seen seen = look(truth.skin, truth.camera);
     const auto counts = awayFromShadowEdges(truth, seen);

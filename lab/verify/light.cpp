@@ -68,13 +68,7 @@ Result<Limits> withPlacedLookUps(Limits limits, const Image& exact, const std::v
 
 Result<void> compareSpecular(ModuleReport& report, const Context& context, const Scene& scene, const Truth& truth, const Seen& seen,
                              const SpecularCase& which) {
-    const int size = context.options.pictureSize;
-    const auto run = render(context, {.effect = "Specular.fx",
-                                      .technique = which.technique,
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace});
+    const auto run = render(context, scene, {.effect = "Specular.fx", .technique = which.technique, .size = context.options.pictureSize});
     if (!run) return run.error();
     const auto counts = which.shadowed ? awayFromShadowEdges(truth, seen) : interior(seen);
     std::vector<bool> lit;
@@ -165,13 +159,8 @@ Result<ModuleReport> verifyIrradiance(const Context& context) {
     const Scene scene = sceneOf(context.options);
     const Truth truth = truthOf(scene, context.options);
     const int size = context.options.mapSize;
-    const auto run = render(context, {.effect = "Irradiance.fx",
-                                      .technique = "Irradiance",
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .dump = {"gIrradianceMap"}});
+    const auto run =
+        render(context, scene, {.effect = "Irradiance.fx", .technique = "Irradiance", .size = size, .dump = {"gIrradianceMap"}});
     if (!run) return run.error();
     const Image& drawn = run->dumped.at("gIrradianceMap");
     const Seen seen = lookUnwrapped(scene.mesh, size);

@@ -56,14 +56,9 @@ Result<void> comparePart(ModuleReport& report, const Context& context, const Mai
     Scene scene = sceneOf(context.options);
     if (part.fromBehind) scene = backlit(std::move(scene));
     const Truth truth = truthOf(scene, context.options);
-    const int size = context.options.pictureSize;
-    const auto run = render(context, {.effect = "Main.fx",
-                                      .technique = part.technique,
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
+    const auto run = render(
+        context, scene,
+        {.effect = "Main.fx", .technique = part.technique, .size = context.options.pictureSize, .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
     if (!run) return run.error();
     const Seen seen = look(truth.skin, truth.camera);
     const auto counts = counted(truth, seen);

@@ -85,20 +85,12 @@ double seenOf(Lamp lamp, const reference::SkinScene& skin, const SurfacePoint& p
     return all > 0 ? sum(visible) / all : 0;
 }
 
-RenderJob jobOf(const Context& context, const Scene& scene, const char* effect, const char* technique) {
+RenderJob lampJob(const char* effect, const char* technique, int size) {
     return {.effect = effect,
             .technique = technique,
-            .width = context.options.pictureSize,
-            .height = context.options.pictureSize,
-            .mesh = &scene.mesh,
-            .workspace = scene.workspace};
-}
-
-RenderJob lampJob(const Context& context, const Scene& scene, const char* effect, const char* technique) {
-    RenderJob job = jobOf(context, scene, effect, technique);
-    job.parameters = reference::lampParameters(lamps());
-    job.defines = {{"TEGUMENT_LAMPS", std::to_string(lamps().size())}};
-    return job;
+            .size = size,
+            .parameters = reference::lampParameters(lamps()),
+            .defines = {{"TEGUMENT_LAMPS", std::to_string(lamps().size())}}};
 }
 
 /// Texels that the lamp sees under more than this cosine.
@@ -118,10 +110,10 @@ Result<void> compareSeen(ModuleReport& report, const Context& context, const Sce
     constexpr int kNodes = 16; // across a lamp's disc
     const reference::SkinScene skin = skinUnder(context, scene, {});
     const Seen seen = lookUnwrapped(scene.mesh, context.options.mapSize);
-    RenderJob job = lampJob(context, scene, "Main.fx", "Lambert");
+    RenderJob job = lampJob("Main.fx", "Lambert", context.options.pictureSize);
     job.dump = {"gLampsSeenMap"};
     if (soft) job.defines.emplace_back("TEGUMENT_SOFT_SHADOWS", "1");
-    const auto run = render(context, job);
+    const auto run = render(context, scene, job);
     if (!run) return run.error();
     const Limits penumbra{.relativeL2 = 0.04,
                           .p99 = 0.25,
@@ -146,10 +138,9 @@ Result<void> compareSeen(ModuleReport& report, const Context& context, const Sce
 Result<void> compareLit(ModuleReport& report, const Context& context, const Scene& scene) {
     const Truth truth = truthOf(scene, context.options);
     const reference::SkinScene skin = skinUnder(context, scene, {.lamps = lamps()});
-    RenderJob job = lampJob(context, scene, "Irradiance.fx", "Irradiance");
-    job.width = job.height = context.options.mapSize;
+    RenderJob job = lampJob("Irradiance.fx", "Irradiance", context.options.mapSize);
     job.dump = {"gIrradianceMap"};
-    const auto map = render(context, job);
+    const auto map = render(context, scene, job);
     if (!map) return map.error();
     const Seen texels = lookUnwrapped(scene.mesh, context.options.mapSize);
     const auto known = awayFromLampEdges(context, scene, texels, awayFromShadowEdges(truth, texels));
@@ -167,7 +158,7 @@ Result<void> compareLit(ModuleReport& report, const Context& context, const Scen
         !done)
         return done;
     noteApart(report, "gIrradianceMap", known, covered(texels), kShadowApart);
-    const auto picture = render(context, lampJob(context, scene, "Main.fx", "Lambert"));
+    const auto picture = render(context, scene, lampJob("Main.fx", "Lambert", context.options.pictureSize));
     if (!picture) return picture.error();
     const Seen seen = look(truth.skin, truth.camera);
     const auto counts = awayFromLampEdges(context, scene, seen, awayFromShadowEdges(truth, seen));
@@ -233,11 +224,13 @@ Result<void> compareStudio(ModuleReport& report, const Context& context, const S
     const reference::MoreLight more{.diffuseSky = sky, .specularSky = sky};
     const Truth truth = truthOf(scene, context.options);
     const reference::SkinScene skin = skinUnder(context, scene, more);
-    RenderJob job = jobOf(context, scene, "Main.fx", "Lambert");
-    job.defines = {{"TEGUMENT_SURROUNDINGS", "1"}};
-    job.textures = files.textures();
-    job.parameters = {{"gOcclusionShare", {part.occlusion}}, {"gReflections", {part.reflections}}};
-    const auto run = render(context, job);
+    const auto run = render(context, scene,
+                            {.effect = "Main.fx",
+                             .technique = "Lambert",
+                             .size = context.options.pictureSize,
+                             .parameters = {{"gOcclusionShare", {part.occlusion}}, {"gReflections", {part.reflections}}},
+                             .defines = {{"TEGUMENT_SURROUNDINGS", "1"}},
+                             .textures = files.textures()});
     if (!run) return run.error();
     const Seen seen = look(truth.skin, truth.camera);
     const glm::dvec3 eye = truth.camera.eye;

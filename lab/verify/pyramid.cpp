@@ -79,7 +79,7 @@ EdgeErrors errorsOf(const Image& ladder, int column, const std::array<reference:
 }
 
 Result<void> verifyLadder(ModuleReport& report, const Context& context) {
-    const auto run = render(context, {.effect = "Ladder.fx", .workspace = {}, .dump = {"gLadderMap"}});
+    const auto run = render(context, {.effect = "Ladder.fx", .dump = {"gLadderMap"}});
     if (!run) return run.error();
     const Image& ladder = run->dumped.at("gLadderMap");
     std::array<reference::EdgeAnswer, kLevels> levels;
@@ -180,12 +180,9 @@ Mesh withCornersOnGrid(Mesh mesh, double step, int size) {
 
 Result<void> verifyAtlas(ModuleReport& report, const Context& context, const PyramidScene& at) {
     const int size = context.options.mapSize;
-    const auto run = render(context, {.effect = "Atlas.fx",
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &at.scene.mesh,
-                                      .workspace = at.scene.workspace,
-                                      .dump = {"gAtlasPositionMap", "gAtlasNormalMap", "gAtlasMeshNormalMap", "gAtlasMetricMap"}});
+    const auto run = render(
+        context, at.scene,
+        {.effect = "Atlas.fx", .size = size, .dump = {"gAtlasPositionMap", "gAtlasNormalMap", "gAtlasMeshNormalMap", "gAtlasMetricMap"}});
     if (!run) return run.error();
     const auto counts = interior(at.texels);
     const auto held = [&](const char* map, const Image& drawn, const Image& exact, const Limits& limits) {
@@ -262,15 +259,10 @@ Result<void> verifyReductions(ModuleReport& report, const Context& context, cons
 }
 
 Result<void> verifyBase(ModuleReport& report, const Context& context, const PyramidScene& at) {
-    RenderJob job{.effect = "Pyramid.fx",
-                  .technique = "Pyramid",
-                  .width = context.options.pictureSize,
-                  .height = context.options.pictureSize,
-                  .mesh = &at.scene.mesh,
-                  .workspace = at.scene.workspace};
+    RenderJob job{.effect = "Pyramid.fx", .technique = "Pyramid", .size = context.options.pictureSize};
     for (std::size_t level = 0; level < kLevels; ++level)
         job.dump.push_back(fmt::format("gEntry{}Map", level));
-    const auto run = render(context, job);
+    const auto run = render(context, at.scene, job);
     if (!run) return run.error();
     if (const auto entry = verifyEntry(report, context, at, run->dumped.at("gEntry0Map")); !entry) return entry;
     return verifyReductions(report, context, *run);

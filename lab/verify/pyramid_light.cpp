@@ -118,18 +118,14 @@ struct LightMaps {
 Result<LightMaps> draw(const Context& context, const PyramidScene& at, const LightJob& job) {
     RenderJob run{.effect = "Pyramid.fx",
                   .technique = job.technique,
-                  .width = context.options.pictureSize,
-                  .height = context.options.pictureSize,
-                  .mesh = &at.scene.mesh,
-                  .workspace = at.scene.workspace,
+                  .size = context.options.pictureSize,
                   .dump = {"gLight0Map", "gEntry0Map"},
                   .parameters = {{"gGaussianWeight", numbersOf(job.weights)}}};
     if (!job.links.empty()) run.textures["gLinksMap"] = job.links;
-    const auto drawn = render(context, run);
+    const auto drawn = render(context, at.scene, run);
     if (!drawn) return drawn.error();
-    const auto table = render(
-        context,
-        {.effect = "Ladder.fx", .workspace = {}, .dump = {"gLadderMap"}, .parameters = {{"gGaussianWeight", numbersOf(job.weights)}}});
+    const auto table =
+        render(context, {.effect = "Ladder.fx", .dump = {"gLadderMap"}, .parameters = {{"gGaussianWeight", numbersOf(job.weights)}}});
     if (!table) return table.error();
     return LightMaps{drawn->dumped.at("gLight0Map"), drawn->dumped.at("gEntry0Map"), table->dumped.at("gLadderMap")};
 }
@@ -203,12 +199,7 @@ Weights publishedWeights() {
 /// Against the integral of the profile that it was given.
 Result<void> verifyPicture(ModuleReport& report, const Context& context, const PyramidScene& at, const std::string& links,
                            const PictureJob& picture) {
-    RenderJob job{.effect = picture.effect,
-                  .technique = picture.technique,
-                  .width = context.options.pictureSize,
-                  .height = context.options.pictureSize,
-                  .mesh = &at.scene.mesh,
-                  .workspace = at.scene.workspace};
+    RenderJob job{.effect = picture.effect, .technique = picture.technique, .size = context.options.pictureSize};
     if (std::string_view(picture.effect) == "Pyramid.fx") job.textures["gLinksMap"] = links;
     reference::Profile profile = reference::skinProfile();
     if (picture.wider != 1) {
@@ -219,7 +210,7 @@ Result<void> verifyPicture(ModuleReport& report, const Context& context, const P
         }
     }
     if (picture.flesh != glm::dvec3(0)) job.parameters["gFlesh"] = {picture.flesh.x, picture.flesh.y, picture.flesh.z, 0};
-    const auto run = render(context, job);
+    const auto run = render(context, at.scene, job);
     if (!run) return run.error();
     const Seen seen = look(at.truth.skin, at.truth.camera);
     const auto counts = interior(seen);

@@ -86,7 +86,7 @@ Result<ModuleReport> verifyBeckmann(const Context& context) {
     ModuleReport report{.module = "Beckmann",
                         .summary =
                             "The texture, 0.5 PH^0.1, against the formula at its texels; and PH as an engine reads it back, bilinearly"};
-    const auto run = render(context, {.effect = "Beckmann.fx", .workspace = {}, .dump = {"gBeckmannMap"}});
+    const auto run = render(context, {.effect = "Beckmann.fx", .dump = {"gBeckmannMap"}});
     if (!run) return run.error();
     const Image table = firstChannel(run->dumped.at("gBeckmannMap"));
     const Image exact =
@@ -115,7 +115,7 @@ Result<ModuleReport> verifyEnergyAttenuation(const Context& context) {
     ModuleReport report{.module = "EnergyAttenuation",
                         .summary = corrected ? "The albedo texture against Gauss-Legendre quadrature of the reflectance"
                                              : "The texture of the printed rule with 32 x 32 nodes against that rule in double precision"};
-    const auto run = render(context, {.effect = "EnergyAttenuation.fx", .workspace = {}, .dump = {"gEnergyAttenuationMap"}});
+    const auto run = render(context, {.effect = "EnergyAttenuation.fx", .dump = {"gEnergyAttenuationMap"}});
     if (!run) return run.error();
     const Image table = sumOfHalves(run->dumped.at("gEnergyAttenuationMap"));
     constexpr int kNodes = 32; // of the shader: what shader model 3 is sure to execute

@@ -54,19 +54,23 @@ std::optional<double> relativeApart(const Comparison& comparison) {
 
 } // namespace
 
-Result<RunResult> render(const Context& context, const RenderJob& job) {
+Result<RunResult> render(const Context& context, const RenderJob& job, const Mesh* mesh, const Workspace& workspace) {
     LoadOptions load{.defines = job.defines, .includeFolders = {}, .setting = context.options.setting};
     load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(context.options.mapSize));
     const auto effect = loadEffect(context.options.effects / job.effect, load);
     if (!effect) return effect.error();
     const RunOptions run{.technique = job.technique,
-                         .width = job.width,
-                         .height = job.height,
+                         .width = job.size,
+                         .height = job.size,
                          .compiler = context.options.compiler,
                          .parameters = job.parameters,
                          .textures = job.textures,
                          .dump = job.dump};
-    return runEffect(context.device, *effect, job.mesh, job.workspace, run);
+    return runEffect(context.device, *effect, mesh, workspace, run);
+}
+
+Result<RunResult> render(const Context& context, const Scene& scene, const RenderJob& job) {
+    return render(context, job, &scene.mesh, scene.workspace);
 }
 
 void addMetric(ModuleReport& report, const Context& context, std::string name, double value, double limit, std::string why) {

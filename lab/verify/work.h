@@ -4,7 +4,7 @@
 #include "host/effect/model.h"
 #include "host/image/compare.h"
 #include "host/run/run.h"
-#include "lab/verify/verify.h"
+#include "lab/verify/scene.h"
 
 #include <cstdint>
 #include <map>
@@ -21,19 +21,18 @@ struct Context {
 
 struct RenderJob {
     std::string effect; // "Beckmann.fx"
-    std::string technique;
-    int width = 16;
-    int height = 16;
-    const Mesh* mesh = nullptr;
-    Workspace workspace;
-    std::vector<std::string> dump;
-    std::map<std::string, std::vector<double>> parameters;
-    std::vector<std::pair<std::string, std::string>> defines;
-    std::map<std::string, std::string> textures; // files
+    std::string technique{};
+    int size = 16;
+    std::vector<std::string> dump{};
+    std::map<std::string, std::vector<double>> parameters{};
+    std::vector<std::pair<std::string, std::string>> defines{};
+    std::map<std::string, std::string> textures{}; // files
 };
 
 /// With the setting and the map size of the options.
-[[nodiscard]] Result<RunResult> render(const Context& context, const RenderJob& job);
+[[nodiscard]] Result<RunResult> render(const Context& context, const RenderJob& job, const Mesh* mesh = nullptr,
+                                       const Workspace& workspace = {});
+[[nodiscard]] Result<RunResult> render(const Context& context, const Scene& scene, const RenderJob& job);
 
 /// Largest values that pass; a negative one leaves that figure out.
 struct Limits {

@@ -1,5 +1,6 @@
 #include "meshprep/assets/scene.h"
 
+#include "host/mesh/triangles.h"
 #include "host/run/semantics.h"
 #include "host/support/text.h"
 #include "meshprep/assets/strands.h"
@@ -149,12 +150,7 @@ Mesh ball() {
             mesh.tangents.emplace_back(std::cos(around), 0.0F, -std::sin(around), 1.0F);
             mesh.uvs.emplace_back(u, v);
         }
-    for (int ring = 0; ring < kRings; ++ring)
-        for (int sector = 0; sector < kSectors; ++sector) {
-            const auto at = static_cast<std::uint32_t>(ring * (kSectors + 1) + sector);
-            const std::uint32_t below = at + kSectors + 1;
-            mesh.indices.insert(mesh.indices.end(), {at, below, at + 1, at + 1, below, below + 1});
-        }
+    addGrid(mesh.indices, kSectors, kRings, "acbbcd");
     computeBounds(mesh);
     return mesh;
 }

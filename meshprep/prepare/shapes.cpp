@@ -1,5 +1,7 @@
 #include "meshprep/prepare/shapes.h"
 
+#include "host/mesh/triangles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -150,10 +152,7 @@ Mesh makeTerrain(int detail) {
             p.y = 0.2f * roughness(p * 8.0f);
             mesh.positions.push_back(p);
         }
-    const auto at = [&](int x, int y) { return static_cast<std::uint32_t>(y * (detail + 1) + x); };
-    for (int y = 0; y < detail; ++y)
-        for (int x = 0; x < detail; ++x)
-            mesh.indices.insert(mesh.indices.end(), {at(x, y), at(x, y + 1), at(x + 1, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)});
+    addGrid(mesh.indices, static_cast<std::uint32_t>(detail), static_cast<std::uint32_t>(detail), "acbbcd");
     return mesh;
 }
 

@@ -34,12 +34,6 @@ std::string quad() {
     return kPath;
 }
 
-void expectSaid(const Ran& ran, int code, const std::vector<std::string>& words) {
-    EXPECT_EQ(ran.code, code) << ran.err;
-    for (const std::string& word : words)
-        EXPECT_NE(ran.err.find(word), std::string::npos) << "missing: " << word << "\n" << ran.err;
-}
-
 std::vector<std::string> lines(const std::string& text) {
     std::vector<std::string> all;
     std::istringstream in(text);

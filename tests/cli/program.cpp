@@ -150,4 +150,10 @@ const std::string& ballWorkspace() {
     return kPath;
 }
 
+void expectSaid(const Ran& ran, int code, const std::vector<std::string>& words) {
+    EXPECT_EQ(ran.code, code) << ran.err;
+    for (const std::string& word : words)
+        EXPECT_NE(ran.err.find(word), std::string::npos) << "missing: " << word << "\n" << ran.err;
+}
+
 } // namespace tegument::test

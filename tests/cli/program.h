@@ -26,6 +26,9 @@ struct Ran {
 /// `environment` is added to this process's own.
 [[nodiscard]] Ran tegument(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment = {});
 
+/// The exit code, and words of what it said.
+void expectSaid(const Ran& ran, int code, const std::vector<std::string>& words);
+
 /// A folder of this test process's own, removed at its end.
 [[nodiscard]] const std::filesystem::path& scratch();
 

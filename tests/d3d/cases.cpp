@@ -1,5 +1,6 @@
 #include "tests/d3d/cases.h"
 
+#include "host/mesh/triangles.h"
 #include "host/support/file.h"
 
 #include <algorithm>
@@ -29,12 +30,7 @@ Mesh sphere(float radius) {
             mesh.positions.push_back(radius * glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)));
             mesh.uvs.emplace_back(u, v);
         }
-    for (std::uint32_t ring = 0; ring < kRings; ++ring)
-        for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
-            const std::uint32_t a = ring * (kSectors + 1) + sector;
-            const std::uint32_t b = a + kSectors + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
-        }
+    addGrid(mesh.indices, kSectors, kRings, "acbbcd");
     mesh.parts = {{.name = "sphere", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     computeBounds(mesh);
     computeNormals(mesh);

@@ -1,6 +1,8 @@
 #include "tests/gpu/fixture.h"
 
+#include "shaders/copy_frag.h"
 #include "shaders/screen_vert.h"
+#include "shaders/uniform_frag.h"
 
 namespace tegument::gpu {
 
@@ -60,6 +62,22 @@ Draw Gpu::screenDraw(const Pipeline& pipeline, std::vector<BoundResource> resour
 
 Result<std::vector<TimedSection>> Gpu::drawOnce(const Targets& targets, const Draw& draw) {
     return device().run([&](Recorder& recorder) { return recorder.draw(targets, draw); });
+}
+
+Pipeline Gpu::reading(std::span<const std::uint32_t> pixelShader) {
+    return must(
+        device().createPipeline(screen(pixelShader, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
+}
+
+void Drawing::SetUp() {
+    Gpu::SetUp();
+    if (IsSkipped()) return;
+    image_ = target(Format::RGBA32F, 4, 4);
+    other_ = target(Format::RGBA32F, 4, 4);
+    depth_ = target(Format::D32F, 4, 4);
+    point_ = sampler(Filter::Point, Address::Clamp);
+    color_ = must(device().createPipeline(screen(uniform_frag, {{0, 0}}, {Format::RGBA32F})));
+    copy_ = reading(copy_frag);
 }
 
 } // namespace tegument::gpu

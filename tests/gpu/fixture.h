@@ -66,6 +66,8 @@ protected:
     /// A full-screen draw: no vertex stream, no culling, no depth test.
     static PipelineDesc screen(std::span<const std::uint32_t> pixelShader, std::vector<Binding> bindings, std::vector<Format> colors);
     static Draw screenDraw(const Pipeline& pipeline, std::vector<BoundResource> resources = {});
+    /// Set 0 has a texture at binding 1 and its sampler at 2, and one colour of RGBA32F is drawn into.
+    Pipeline reading(std::span<const std::uint32_t> pixelShader);
     /// One frame with one draw.
     Result<std::vector<TimedSection>> drawOnce(const Targets& targets, const Draw& draw);
 
@@ -73,6 +75,18 @@ protected:
 
 private:
     std::optional<Device> device_;
+};
+
+/// With targets of 4 x 4 texels, a pipeline that draws in a colour, and one that copies a texture.
+class Drawing : public Gpu {
+protected:
+    void SetUp() override;
+    Draw copyDraw(Texture& source) { return screenDraw(copy_, {{0, 1, &source}, {0, 2, &point_}}); }
+
+    Texture image_, other_, depth_;
+    Sampler point_;
+    Pipeline color_, copy_;
+    Pixel white_ = {1, 1, 1, 1};
 };
 
 } // namespace tegument::gpu

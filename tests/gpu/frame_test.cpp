@@ -21,10 +21,6 @@ namespace {
 
 class Frames : public Gpu {
 protected:
-    Pipeline reading(std::span<const std::uint32_t> shader) {
-        return must(
-            device().createPipeline(screen(shader, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
-    }
     Pipeline coloring() { return must(device().createPipeline(screen(uniform_frag, {{0, 0}}, {Format::RGBA32F}))); }
 };
 

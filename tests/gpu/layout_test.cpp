@@ -22,31 +22,20 @@ Layout layoutOf(const Texture& texture) {
     return texture.state->track.layout;
 }
 
-class Recording : public Gpu {
+class Recording : public Drawing {
 protected:
     void SetUp() override {
-        Gpu::SetUp();
+        Drawing::SetUp();
         if (IsSkipped()) return;
-        image_ = target(Format::RGBA32F, 4, 4);
-        other_ = target(Format::RGBA32F, 4, 4);
-        depth_ = target(Format::D32F, 4, 4);
-        point_ = sampler(Filter::Point, Address::Clamp);
         PipelineDesc desc = screen(uniform_frag, {{0, 0}}, {Format::RGBA32F});
-        color_ = must(device().createPipeline(desc));
         desc.depthFormat = Format::D32F;
         colorAndDepth_ = must(device().createPipeline(desc));
-        copy_ = must(
-            device().createPipeline(screen(copy_frag, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
     }
 
     Draw colorDraw() { return screenDraw(color_, {{0, 0, bytesOf(white_)}}); }
-    Draw copyDraw(Texture& source) { return screenDraw(copy_, {{0, 1, &source}, {0, 2, &point_}}); }
     std::size_t scopesOpened() { return image_.state->device->recording->scopesOpened; }
 
-    Texture image_, other_, depth_;
-    Sampler point_;
-    Pipeline color_, colorAndDepth_, copy_;
-    Pixel white_ = {1, 1, 1, 1};
+    Pipeline colorAndDepth_;
 };
 
 TEST_F(Recording, targets_are_in_attachment_layouts_and_read_textures_in_the_read_only_layout) {

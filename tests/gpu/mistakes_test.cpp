@@ -167,26 +167,10 @@ TEST_F(PipelineMistakes, targets_that_cannot_be) {
     EXPECT_TRUE(fails(device().createPipeline(bad), 6026, {"RGBA8"}));
 }
 
-class DrawMistakes : public Gpu {
+class DrawMistakes : public Drawing {
 protected:
-    void SetUp() override {
-        Gpu::SetUp();
-        if (IsSkipped()) return;
-        image_ = target(Format::RGBA32F, 4, 4);
-        other_ = target(Format::RGBA32F, 4, 4);
-        depth_ = target(Format::D32F, 4, 4);
-        point_ = sampler(Filter::Point, Address::Clamp);
-        uniform_ = must(device().createPipeline(screen(uniform_frag, {{0, 0}}, {Format::RGBA32F})));
-        copy_ = must(
-            device().createPipeline(screen(copy_frag, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
-    }
     auto drawCopy(std::vector<BoundResource> resources) { return drawOnce({.colors = {&image_}}, screenDraw(copy_, std::move(resources))); }
-    auto drawUniform(const Targets& targets) { return drawOnce(targets, screenDraw(uniform_, {{0, 0, bytesOf(color_)}})); }
-
-    Texture image_, other_, depth_;
-    Sampler point_;
-    Pipeline uniform_, copy_;
-    Pixel color_ = {1, 1, 1, 1};
+    auto drawUniform(const Targets& targets) { return drawOnce(targets, screenDraw(color_, {{0, 0, bytesOf(white_)}})); }
 };
 
 TEST_F(DrawMistakes, a_missing_binding) {
@@ -208,9 +192,9 @@ TEST_F(DrawMistakes, a_resource_of_the_wrong_kind) {
 
 TEST_F(DrawMistakes, uniform_data_of_no_size_or_too_much) {
     const Targets targets{.colors = {&image_}};
-    EXPECT_TRUE(fails(drawOnce(targets, screenDraw(uniform_, {{0, 0, std::span<const std::byte>()}})), 6030, {"set 0 binding 0"}));
+    EXPECT_TRUE(fails(drawOnce(targets, screenDraw(color_, {{0, 0, std::span<const std::byte>()}})), 6030, {"set 0 binding 0"}));
     const std::vector<std::byte> huge(std::size_t{1} << 31);
-    EXPECT_TRUE(fails(drawOnce(targets, screenDraw(uniform_, {{0, 0, std::span(huge)}})), 6038, {"set 0 binding 0", "2147483648"}));
+    EXPECT_TRUE(fails(drawOnce(targets, screenDraw(color_, {{0, 0, std::span(huge)}})), 6038, {"set 0 binding 0", "2147483648"}));
 }
 
 TEST_F(DrawMistakes, reading_the_target_that_the_draw_writes) {
@@ -236,7 +220,7 @@ TEST_F(DrawMistakes, targets_that_do_not_fit_the_pipeline) {
 
 TEST_F(DrawMistakes, one_texture_as_two_targets) {
     const Pipeline two = must(device().createPipeline(screen(uniform_frag, {{0, 0}}, {Format::RGBA32F, Format::RGBA32F})));
-    EXPECT_TRUE(fails(drawOnce({.colors = {&image_, &image_}}, screenDraw(two, {{0, 0, bytesOf(color_)}})), 6034, {"target"}));
+    EXPECT_TRUE(fails(drawOnce({.colors = {&image_, &image_}}, screenDraw(two, {{0, 0, bytesOf(white_)}})), 6034, {"target"}));
 }
 
 TEST_F(DrawMistakes, targets_of_different_sizes) {
@@ -245,7 +229,7 @@ TEST_F(DrawMistakes, targets_of_different_sizes) {
     const Pipeline pipeline = must(device().createPipeline(desc));
     Texture small = target(Format::D32F, 2, 4);
     EXPECT_TRUE(
-        fails(drawOnce({.colors = {&image_}, .depth = &small}, screenDraw(pipeline, {{0, 0, bytesOf(color_)}})), 6036, {"4x4", "2x4"}));
+        fails(drawOnce({.colors = {&image_}, .depth = &small}, screenDraw(pipeline, {{0, 0, bytesOf(white_)}})), 6036, {"4x4", "2x4"}));
 }
 
 TEST_F(DrawMistakes, a_target_that_was_not_made_as_one) {
@@ -262,7 +246,7 @@ TEST_F(DrawMistakes, geometry_that_is_missing_or_too_short) {
     const Buffer indices = must(device().createBuffer(BufferUsage::Index, bytesOf(std::vector<std::uint32_t>(6))));
     const auto draw = [&](const Buffer* stream, const Buffer* index, std::uint32_t first, std::uint32_t count) {
         return drawOnce({.colors = {&image_}}, {.pipeline = &pipeline,
-                                                .resources = {{0, 0, bytesOf(color_)}},
+                                                .resources = {{0, 0, bytesOf(white_)}},
                                                 .vertices = stream,
                                                 .indices = index,
                                                 .first = first,
@@ -278,7 +262,7 @@ TEST_F(DrawMistakes, geometry_that_is_missing_or_too_short) {
 
     const std::vector<Pixel> stream(3);
     const std::vector<std::uint32_t> order(6);
-    Draw once{.pipeline = &pipeline, .resources = {{0, 0, bytesOf(color_)}}, .vertexBytes = bytesOf(stream), .count = 4};
+    Draw once{.pipeline = &pipeline, .resources = {{0, 0, bytesOf(white_)}}, .vertexBytes = bytesOf(stream), .count = 4};
     EXPECT_TRUE(fails(drawOnce({.colors = {&image_}}, once), 6039, {"4 vertices", "3"}));
     once.indexBytes = bytesOf(order);
     EXPECT_EQ(codeOf(drawOnce({.colors = {&image_}}, once)), 0);
@@ -301,7 +285,7 @@ TEST_F(DrawMistakes, indices_beyond_the_vertices_end_nothing) {
     const Buffer indices = must(device().createBuffer(BufferUsage::Index, bytesOf(std::vector<std::uint32_t>(3, 1'000'000'000))));
     EXPECT_EQ(codeOf(drawOnce(
                   {.colors = {&image_}},
-                  {.pipeline = &pipeline, .resources = {{0, 0, bytesOf(color_)}}, .vertices = &vertices, .indices = &indices, .count = 3})),
+                  {.pipeline = &pipeline, .resources = {{0, 0, bytesOf(white_)}}, .vertices = &vertices, .indices = &indices, .count = 3})),
               0);
 }
 

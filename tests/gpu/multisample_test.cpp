@@ -234,8 +234,7 @@ TEST_F(SampleMistakes, a_multisampled_texture_cannot_be_copied_or_sampled) {
     expectFailure(device().upload(samples, bytesOf(texels)), 6017, {"culprit"});
     Texture picture = target(Format::RGBA32F, 8, 8);
     const Sampler point = sampler(Filter::Point, Address::Clamp);
-    const Pipeline copy =
-        must(device().createPipeline(screen(copy_frag, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
+    const Pipeline copy = reading(copy_frag);
     expectFailure(drawOnce({.colors = {&picture}}, screenDraw(copy, {{0, 1, &samples}, {0, 2, &point}})), 6017, {"screen"});
 }
 
@@ -243,8 +242,7 @@ TEST_F(SampleMistakes, a_pipeline_draws_to_targets_of_its_own_count) {
     Texture samples = must(device().createTexture(describe(4)));
     Texture image = texture(1, 1, {kRed});
     const Sampler point = sampler(Filter::Point, Address::Clamp);
-    const Pipeline copy =
-        must(device().createPipeline(screen(copy_frag, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
+    const Pipeline copy = reading(copy_frag);
     expectFailure(drawOnce({.colors = {&samples}}, screenDraw(copy, {{0, 1, &image}, {0, 2, &point}})), 6035, {"culprit", "4", "1"});
 }
 

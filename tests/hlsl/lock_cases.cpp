@@ -48,18 +48,6 @@ glm::dvec3 strandAlong(const Inputs& x) {
            (turn.y + angle * turn.x) * x.vec3(6);
 }
 
-FunctionCase lock(const char* function, std::string body, std::vector<Argument> arguments, std::function<Values(const Inputs&)> expected,
-                  Tolerance tolerance) {
-    return {.function = function,
-            .body = std::move(body),
-            .arguments = std::move(arguments),
-            .expected = std::move(expected),
-            .tolerance = std::move(tolerance),
-            .samples = 2048,
-            .globals = kLockScene,
-            .effect = "FurCoat.fx"};
-}
-
 std::vector<FunctionCase> places() {
     const Tolerance waved{.forward = 8, .backward = 4, .absolute = 1e-5, .why = "sums of up to 8; the fraction of a wave's place"};
     std::vector<FunctionCase> cases;

@@ -15,18 +15,6 @@ double share01(double x) {
     return std::clamp(x, 0.0, 1.0);
 }
 
-FunctionCase lit(const char* function, std::string body, std::vector<Argument> arguments, std::function<Values(const Inputs&)> expected,
-                 Tolerance tolerance) {
-    return {.function = function,
-            .body = std::move(body),
-            .arguments = std::move(arguments),
-            .expected = std::move(expected),
-            .tolerance = std::move(tolerance),
-            .samples = 2048,
-            .globals = kLockScene,
-            .effect = "FurCoat.fx"};
-}
-
 /// Arguments: along, below, under, variation; random, more, lock, waves, guard; shortness, colour.
 glm::dvec3 colour(const Inputs& x) {
     const double along = x.scalar(0);
@@ -47,13 +35,14 @@ glm::dvec3 colour(const Inputs& x) {
 }
 
 FunctionCase colours() {
-    FunctionCase made = lit("lockAlbedo",
-                            "LockLooks l = (LockLooks)0; l.random = a4; l.more = a5; l.lock = a6; l.waves = a7; l.guard = a8; "
-                            "TgRibbon r; r.along = 0; r.shortness = a9; r.color = a10; return float4(lockAlbedo(l, r, a0, a1, a2, a3), 0);",
-                            {linear(0, 1), linear(-1, 1), whole(0, 1), linear(0, 1), linear(0, 1, 3), linear(0, 1, 3), linear(0, 1, 3),
-                             linear(-1, 1, 3), whole(0, 1), linear(0, 1), linear(0, 1, 3)},
-                            [](const Inputs& x) { return values(colour(x)); },
-                            {.forward = 16, .backward = 4, .absolute = 1e-6, .why = "nine mixtures of numbers up to 1.5"});
+    FunctionCase made =
+        lock("lockAlbedo",
+             "LockLooks l = (LockLooks)0; l.random = a4; l.more = a5; l.lock = a6; l.waves = a7; l.guard = a8; "
+             "TgRibbon r; r.along = 0; r.shortness = a9; r.color = a10; return float4(lockAlbedo(l, r, a0, a1, a2, a3), 0);",
+             {linear(0, 1), linear(-1, 1), whole(0, 1), linear(0, 1), linear(0, 1, 3), linear(0, 1, 3), linear(0, 1, 3), linear(-1, 1, 3),
+              whole(0, 1), linear(0, 1), linear(0, 1, 3)},
+             [](const Inputs& x) { return values(colour(x)); },
+             {.forward = 16, .backward = 4, .absolute = 1e-6, .why = "nine mixtures of numbers up to 1.5"});
     return made;
 }
 
@@ -89,29 +78,29 @@ glm::dvec3 lockLit(const Inputs& x, bool under) {
 std::vector<FunctionCase> lights() {
     const glm::dvec3 colour(0.9, 0.8, 0.7);
     std::vector<FunctionCase> cases;
-    cases.push_back(lit("lockLight", std::string(kPointBody) + "return float4(lockLight(p, a5, float3(0.9, 0.8, 0.7), 0.6, 0.0), 0);",
-                        pointArguments(), [=](const Inputs& x) { return values(0.6 * colour * lockLit(x, false)); },
-                        {.forward = 64, .backward = 8, .absolute = 1e-5, .why = "the 60th power of a sine, by its square"}));
+    cases.push_back(lock("lockLight", std::string(kPointBody) + "return float4(lockLight(p, a5, float3(0.9, 0.8, 0.7), 0.6, 0.0), 0);",
+                         pointArguments(), [=](const Inputs& x) { return values(0.6 * colour * lockLit(x, false)); },
+                         {.forward = 64, .backward = 8, .absolute = 1e-5, .why = "the 60th power of a sine, by its square"}));
     cases.back().domain = [](const Inputs& x) { return glm::length(x.vec3(2) + x.vec3(5)) > 0.01; };
     // The sine is the root of a difference that is 1e-7 off: 3e-4 where light runs along the strand.
     cases.back().tolerance.absolute = 4e-4;
-    cases.push_back(lit("lockLight", std::string(kPointBody) + "return float4(lockLight(p, a5, float3(0.9, 0.8, 0.7), 0.6, 1.0), 0);",
-                        pointArguments(), [=](const Inputs& x) { return values(0.6 * colour * lockLit(x, true)); },
-                        {.forward = 16, .backward = 8, .absolute = 4e-4, .why = "a sine is the root of a difference that is 1e-7 off"}));
-    cases.push_back(lit("lockSurroundings", std::string(kPointBody) + "return float4(lockSurroundings(p, a5), 0);", pointArguments(),
-                        [](const Inputs& x) {
-                            const double up = glm::dot(0.9 * x.vec3(0) + 0.36 * x.vec3(1), x.vec3(5));
-                            const double gap = (0.2 + 0.8 * share01(1.1 * x.scalar(4, 1))) * (0.55 + 0.45 * share01(1.4 * x.scalar(4)));
-                            return values(x.vec3(3) * glm::mix(kLockGround, kLockSky, 0.5 + 0.5 * up) * gap * gap);
-                        },
-                        {.forward = 16, .backward = 4, .absolute = 4e-7, .why = "sums of up to 1.3"}));
-    cases.push_back(lit("lockRim", std::string(kPointBody) + "return float4(lockRim(p, a5), 0);", pointArguments(),
-                        [](const Inputs& x) {
-                            const double edge = 1 - share01(glm::dot(x.vec3(0), x.vec3(2)));
-                            const double above = share01(0.6 + 0.4 * glm::dot(x.vec3(0), x.vec3(5)));
-                            return values(kLockRim * (0.05 + x.vec3(3)) * edge * edge * x.scalar(4) * above);
-                        },
-                        {.forward = 16, .backward = 4, .absolute = 1e-6, .why = "the square of a difference of numbers up to 1"}));
+    cases.push_back(lock("lockLight", std::string(kPointBody) + "return float4(lockLight(p, a5, float3(0.9, 0.8, 0.7), 0.6, 1.0), 0);",
+                         pointArguments(), [=](const Inputs& x) { return values(0.6 * colour * lockLit(x, true)); },
+                         {.forward = 16, .backward = 8, .absolute = 4e-4, .why = "a sine is the root of a difference that is 1e-7 off"}));
+    cases.push_back(lock("lockSurroundings", std::string(kPointBody) + "return float4(lockSurroundings(p, a5), 0);", pointArguments(),
+                         [](const Inputs& x) {
+                             const double up = glm::dot(0.9 * x.vec3(0) + 0.36 * x.vec3(1), x.vec3(5));
+                             const double gap = (0.2 + 0.8 * share01(1.1 * x.scalar(4, 1))) * (0.55 + 0.45 * share01(1.4 * x.scalar(4)));
+                             return values(x.vec3(3) * glm::mix(kLockGround, kLockSky, 0.5 + 0.5 * up) * gap * gap);
+                         },
+                         {.forward = 16, .backward = 4, .absolute = 4e-7, .why = "sums of up to 1.3"}));
+    cases.push_back(lock("lockRim", std::string(kPointBody) + "return float4(lockRim(p, a5), 0);", pointArguments(),
+                         [](const Inputs& x) {
+                             const double edge = 1 - share01(glm::dot(x.vec3(0), x.vec3(2)));
+                             const double above = share01(0.6 + 0.4 * glm::dot(x.vec3(0), x.vec3(5)));
+                             return values(kLockRim * (0.05 + x.vec3(3)) * edge * edge * x.scalar(4) * above);
+                         },
+                         {.forward = 16, .backward = 4, .absolute = 1e-6, .why = "the square of a difference of numbers up to 1"}));
     return cases;
 }
 
@@ -175,9 +164,9 @@ std::vector<FunctionCase> looks() {
                                              whole(0, 31), linear(0, 1),     whole(0, 1)};
     std::vector<FunctionCase> cases;
     const auto add = [&](const char* returned, auto expected) {
-        cases.push_back(lit("lockLooks", std::string(kLooksBody) + "return float4(" + returned + ");", arguments,
-                            [=](const Inputs& x) { return expected(x, Looks(x)); },
-                            {.forward = 32, .backward = 4, .absolute = 2e-4, .why = "fractions of numbers up to 21, waves of waves"}));
+        cases.push_back(lock("lockLooks", std::string(kLooksBody) + "return float4(" + returned + ");", arguments,
+                             [=](const Inputs& x) { return expected(x, Looks(x)); },
+                             {.forward = 32, .backward = 4, .absolute = 2e-4, .why = "fractions of numbers up to 21, waves of waves"}));
         cases.back().map = &kRoots;
         cases.back().domain = [](const Inputs& x) { // from where something leaps
             const Looks l(x);

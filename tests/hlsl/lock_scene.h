@@ -71,6 +71,14 @@ inline const Globals kLockScene = {
     {"gCoatPainted", {0.3}},
 };
 
+[[nodiscard]] inline FunctionCase lock(const char* function, std::string body, std::vector<Argument> arguments,
+                                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
+    FunctionCase made =
+        passCase("FurCoat.fx", kLockScene, function, std::move(body), std::move(arguments), std::move(expected), std::move(tolerance));
+    made.samples = 2048;
+    return made;
+}
+
 /// In [0, 1), evenly: golden numbers of a root's column and row in the texture of roots, which is 4,096 wide.
 inline double rootRank(double address) {
     const double row = std::floor(address / 4096);

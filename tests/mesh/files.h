@@ -12,6 +12,15 @@
 
 namespace tegument::testing_scene {
 
+inline int codeOf(const Error& error) {
+    return error.diagnostics.front().code;
+}
+
+template <class T>
+int codeOf(const Result<T>& result) {
+    return result ? 0 : codeOf(result.error());
+}
+
 class SceneFiles : public testing::Test {
 protected:
     void SetUp() override {
@@ -29,17 +38,22 @@ protected:
         return loadMesh(write(name, bytes), options);
     }
 
+    struct Fault {
+        std::string text;
+        int code;
+        int line;
+    };
+    /// Each text is one error with its line.
+    void expectFaults(const std::string& name, const std::vector<Fault>& faults) const {
+        for (const Fault& fault : faults) {
+            const auto mesh = load(name, fault.text);
+            ASSERT_EQ(codeOf(mesh), fault.code) << fault.text;
+            EXPECT_EQ(mesh.error().diagnostics.front().at.line, fault.line) << fault.text << format(mesh.error());
+        }
+    }
+
     std::filesystem::path folder_;
 };
-
-inline int codeOf(const Error& error) {
-    return error.diagnostics.front().code;
-}
-
-template <class T>
-int codeOf(const Result<T>& result) {
-    return result ? 0 : codeOf(result.error());
-}
 
 template <class T>
 void append(std::string& bytes, const std::vector<T>& values) {

@@ -1,4 +1,5 @@
 // Normals and tangents.
+#include "host/mesh/triangles.h"
 #include "tests/mesh/files.h"
 
 #include <array>
@@ -43,10 +44,7 @@ Mesh sphere(int slices, int stacks) {
             mesh.positions.emplace_back(std::sin(polar) * std::sin(longitude), std::cos(polar), std::sin(polar) * std::cos(longitude));
             mesh.uvs.push_back(uv);
         }
-    const auto at = [&](int x, int y) { return static_cast<std::uint32_t>(y * (slices + 1) + x); };
-    for (int y = 0; y < stacks; ++y)
-        for (int x = 0; x < slices; ++x)
-            mesh.indices.insert(mesh.indices.end(), {at(x, y), at(x, y + 1), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x + 1, y)});
+    addGrid(mesh.indices, static_cast<std::uint32_t>(slices), static_cast<std::uint32_t>(stacks), "acdadb");
     mesh.parts = {{"sphere", 0, static_cast<std::uint32_t>(mesh.indices.size())}};
     return mesh;
 }

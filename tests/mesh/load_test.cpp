@@ -1,6 +1,7 @@
 // What loadMesh checks whatever the format.
 
 #include "host/mesh/extent.h"
+#include "host/mesh/triangles.h"
 #include "tests/mesh/files.h"
 
 #include <random>
@@ -48,11 +49,7 @@ Mesh sheet() {
             mesh.positions.push_back(glm::vec3(at + jitter(random), jitter(random)) * 17.3f);
             mesh.uvs.push_back((at + 0.5f) / static_cast<float>(kSide));
         }
-    for (std::uint32_t y = 0; y + 1 < kSide; ++y)
-        for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
-            const std::uint32_t i = y * kSide + x;
-            mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + kSide, i + 1, i + kSide + 1, i + kSide});
-        }
+    addGrid(mesh.indices, kSide - 1, kSide - 1, "abcbdc");
     const auto count = static_cast<std::uint32_t>(mesh.indices.size());
     mesh.parts = {{"skin", 0, 300}, {"eye \"left\"", 300, count - 300}};
     mesh.name = "sheet";

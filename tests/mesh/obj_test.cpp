@@ -106,11 +106,7 @@ TEST_F(Obj, unknown_statements_are_ignored_with_a_warning_that_names_the_line) {
 
 TEST_F(Obj, bad_input_is_one_error_with_its_line) {
     const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    const struct {
-        std::string text;
-        int code;
-        int line;
-    } cases[] = {
+    const std::vector<Fault> faults = {
         {three + "f 1 2 9\n", 5304, 4},       // beyond the last vertex
         {three + "f 0 1 2\n", 5304, 4},       // OBJ counts from 1
         {three + "f -4 1 2\n", 5304, 4},      // before the first
@@ -129,11 +125,7 @@ TEST_F(Obj, bad_input_is_one_error_with_its_line) {
         {three + "f 1 1 2\n", 5306, 0}, // nothing but a degenerate triangle
         {"", 5300, 0},
     };
-    for (const auto& test : cases) {
-        const auto mesh = load("a.obj", test.text);
-        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
-        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
-    }
+    expectFaults("a.obj", faults);
 }
 
 TEST_F(Obj, utf16_is_named) {

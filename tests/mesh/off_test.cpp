@@ -59,11 +59,7 @@ TEST_F(Off, normals_colours_and_texture_coordinates_are_told_by_the_keyword) {
 }
 
 TEST_F(Off, bad_input_is_one_error_with_its_line) {
-    const struct {
-        std::string text;
-        int code;
-        int line;
-    } cases[] = {
+    const std::vector<Fault> faults = {
         {"MOFF\n3 1 0\n", 5302, 1},
         {"4OFF\n3 1 0\n", 5302, 1},
         {"OFF\n-3 1 0\n", 5302, 2},
@@ -76,11 +72,7 @@ TEST_F(Off, bad_input_is_one_error_with_its_line) {
         {"OFF\n3 1 0\n0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n", 5302, 4},
         {"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", 5306, 0},
     };
-    for (const auto& test : cases) {
-        const auto mesh = load("a.off", test.text);
-        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
-        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
-    }
+    expectFaults("a.off", faults);
 }
 
 TEST_F(Off, every_truncation_is_an_error) {
@@ -166,11 +158,7 @@ TEST_F(Stl, a_count_beyond_the_file_is_named_with_its_byte) {
 }
 
 TEST_F(Stl, bad_text_is_one_error_with_its_line) {
-    const struct {
-        std::string text;
-        int code;
-        int line;
-    } cases[] = {
+    const std::vector<Fault> faults = {
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nendloop\n", 5302, 6},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0,5\n", 5302, 5},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n", 5305, 4},
@@ -178,11 +166,7 @@ TEST_F(Stl, bad_text_is_one_error_with_its_line) {
         {"solid\nloop\n", 5302, 2},
         {"solid\nendsolid\n", 5306, 0},
     };
-    for (const auto& test : cases) {
-        const auto mesh = load("a.stl", test.text);
-        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
-        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
-    }
+    expectFaults("a.stl", faults);
 }
 
 TEST_F(Stl, every_truncation_is_an_error) {

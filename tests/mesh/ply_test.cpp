@@ -94,11 +94,7 @@ TEST_F(Ply, faces_of_fewer_than_three_corners_are_left_out_with_a_count) {
 }
 
 TEST_F(Ply, bad_headers_are_named_by_line) {
-    const struct {
-        std::string text;
-        int code;
-        int line;
-    } cases[] = {
+    const std::vector<Fault> faults = {
         {"ply\nformat ascii 1.0\nelement vertex -4\nend_header\n", 5302, 3},
         {"ply\nformat ascii 1.0\nelement vertex 4294967295\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n",
          5303, 3},
@@ -113,11 +109,7 @@ TEST_F(Ply, bad_headers_are_named_by_line) {
         {header("ascii", "element vertex 1\nproperty float x\n") + "0\n", 5302, 3}, // no y and z
         {header("ascii", std::string(kVertices) + "element face 1\nproperty int x\n") + "0 0 0 0 0 0 0 0 0 0 0 0 5\n", 5302, 7},
     };
-    for (const auto& test : cases) {
-        const auto mesh = load("a.ply", test.text);
-        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
-        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
-    }
+    expectFaults("a.ply", faults);
 }
 
 TEST_F(Ply, bad_data_is_one_error) {

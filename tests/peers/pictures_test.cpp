@@ -4,37 +4,11 @@
 #include "lab/reference/peers.h"
 #include "tests/peers/fixture.h"
 #include "tests/peers/forms.h"
+#include "tests/run/sphere.h"
 #include "tests/spirv/missing.h"
 
 namespace tegument::test {
 namespace {
-
-/// A ball of this radius about the origin; a seam at u = 0.
-Mesh ball(float radius, int rings = 64, int sectors = 128) {
-    Mesh mesh;
-    mesh.name = "ball";
-    for (int ring = 0; ring <= rings; ++ring)
-        for (int sector = 0; sector <= sectors; ++sector) {
-            const float theta = std::numbers::pi_v<float> * static_cast<float>(ring) / static_cast<float>(rings);
-            const float phi = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / static_cast<float>(sectors);
-            const glm::vec3 normal(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
-            mesh.positions.push_back(radius * normal);
-            mesh.normals.push_back(normal);
-            mesh.tangents.emplace_back(std::cos(phi), 0, -std::sin(phi), 1);
-            mesh.uvs.emplace_back(static_cast<float>(sector) / static_cast<float>(sectors),
-                                  static_cast<float>(ring) / static_cast<float>(rings));
-        }
-    for (int ring = 0; ring < rings; ++ring)
-        for (int sector = 0; sector < sectors; ++sector) {
-            const auto a = static_cast<std::uint32_t>(ring * (sectors + 1) + sector);
-            const auto b = a + static_cast<std::uint32_t>(sectors) + 1;
-            for (const std::uint32_t index : {a, b, a + 1, a + 1, b, b + 1})
-                mesh.indices.push_back(index);
-        }
-    mesh.parts = {{.name = "ball", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
-    computeBounds(mesh);
-    return mesh;
-}
 
 class PeerPictures : public Peers {
 protected:
@@ -45,7 +19,7 @@ protected:
         RunOptions options = size(96, 96);
         options.compiler = compiler;
         options.parameters = parameters;
-        return render(peer, ball(80), closeUp(), options, printed);
+        return render(peer, sphere(80, 64, 128), closeUp(), options, printed);
     }
 };
 
@@ -101,7 +75,7 @@ TEST_F(PeerPictures, every_target_is_finite_in_every_setting) {
         for (const std::string setting : {"0", "1", "2"}) {
             RunOptions options = size(64, 48);
             options.dump = {"all"};
-            const auto result = render(peer, ball(80, 16, 32), closeUp(), options, setting != "2", 64, setting);
+            const auto result = render(peer, sphere(80, 16, 32), closeUp(), options, setting != "2", 64, setting);
             ASSERT_TRUE(succeeded(result));
             for (const auto& [name, image] : result->dumped)
                 EXPECT_TRUE(finite(image)) << peer.name << " " << name << " " << setting;
@@ -216,7 +190,7 @@ TEST_F(PeerPictures, preintegrated_balls_are_shaded_by_the_ring) {
     for (const bool printed : {false, true}) {
         RunOptions options = size(128, 64);
         options.textures = {{"gSkinMap", whiteMap()}};
-        const auto result = render(kPeers[7], ball(10), scene, options, printed, 512);
+        const auto result = render(kPeers[7], sphere(10, 64, 128), scene, options, printed, 512);
         ASSERT_TRUE(succeeded(result));
         const glm::dvec3 worst = worstOnBall(result->image, printed);
         for (int c = 0; c < 3; ++c)

@@ -1,6 +1,7 @@
 #pragma once
 // A mesh on which every technique of the skin has something to show.
 
+#include "host/mesh/triangles.h"
 #include "tests/run/fixture.h"
 
 #include <cmath>
@@ -22,12 +23,7 @@ inline Mesh sheet() {
             mesh.positions.emplace_back(80 * uv.x - 40, 40 - 80 * uv.y, 6 * std::sin(9 * uv.x) * std::cos(7 * uv.y) - 30 * uv.x * uv.x);
             mesh.uvs.push_back(0.02F + 0.96F * uv);
         }
-    for (std::uint32_t y = 0; y < kSide; ++y)
-        for (std::uint32_t x = 0; x < kSide; ++x) {
-            const std::uint32_t a = y * (kSide + 1) + x;
-            const std::uint32_t b = a + kSide + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
-        }
+    addGrid(mesh.indices, kSide, kSide, "acbbcd");
     mesh.parts = {{.name = "sheet", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     computeNormals(mesh);
     computeTangents(mesh);

@@ -20,15 +20,19 @@ struct PanelSize {
     std::function<float(float width)> height;
 };
 
-/// Those that are to be shown.
-struct PanelSizes {
-    std::optional<PanelSize> lines;
-    std::optional<PanelSize> help;
-    std::optional<PanelSize> sliders;
-    std::optional<PanelSize> problem;
-    std::optional<PanelSize> strip;
-    std::optional<PanelSize> histogram;
-    std::optional<PanelSize> times;
+/// Of each panel that is to be shown.
+template <class Property>
+struct Panels {
+    std::optional<Property> lines;
+    std::optional<Property> help;
+    std::optional<Property> sliders;
+    std::optional<Property> problem;
+    std::optional<Property> strip;
+    std::optional<Property> histogram;
+    std::optional<Property> times;
+};
+
+struct PanelSizes : Panels<PanelSize> {
     bool linesTakeRoom = false; // they are more than a note on the picture
 };
 
@@ -40,14 +44,7 @@ struct Dock {
     bool operator==(const Dock&) const = default;
 };
 
-struct PanelAreas {
-    std::optional<Area> lines;
-    std::optional<Area> help;
-    std::optional<Area> sliders;
-    std::optional<Area> problem;
-    std::optional<Area> strip;
-    std::optional<Area> histogram;
-    std::optional<Area> times;
+struct PanelAreas : Panels<Area> {
     Dock dock; // nothing at a side where the picture would be left with less than two fifths of the window
 };
 

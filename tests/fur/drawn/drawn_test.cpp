@@ -1,6 +1,7 @@
 // Layers of fur as the device draws them: at edges of triangles with several samples a pixel, and where one part's fringe lies before
 // another part's coat.
 
+#include "host/mesh/triangles.h"
 #include "lab/measure/body_fur.h"
 #include "tests/gpu/with_device.h"
 
@@ -26,11 +27,7 @@ Mesh squareOf(int quads) {
                                         200.0F * static_cast<float>(j) / static_cast<float>(quads) - 100, 0);
             mesh.normals.emplace_back(0, 0, 1);
         }
-    const auto vertex = [&](int i, int j) { return static_cast<std::uint32_t>(j * (quads + 1) + i); };
-    for (int j = 0; j < quads; ++j)
-        for (int i = 0; i < quads; ++i)
-            mesh.indices.insert(mesh.indices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                                                     vertex(i + 1, j + 1), vertex(i, j + 1)});
+    addGrid(mesh.indices, static_cast<std::uint32_t>(quads), static_cast<std::uint32_t>(quads), "abdadc");
     mesh.parts = {{.name = mesh.name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     computeBounds(mesh);
     return mesh;

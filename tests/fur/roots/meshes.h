@@ -1,7 +1,7 @@
 #pragma once
 // Meshes whose curvature, area and distances are known.
 
-#include "host/mesh/mesh.h"
+#include "host/mesh/triangles.h"
 
 #include <gtest/gtest.h>
 
@@ -28,15 +28,7 @@ inline Mesh ball(double radius, int rows = 64, bool inside = false) {
             mesh.positions.emplace_back(radius * n);
             mesh.normals.emplace_back(inside ? -n : n);
         }
-    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const std::uint32_t a = at(i, j), b = at(i, j + 1), c = at(i + 1, j + 1), d = at(i + 1, j);
-            if (inside)
-                mesh.indices.insert(mesh.indices.end(), {a, c, b, a, d, c});
-            else
-                mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
-        }
+    addGrid(mesh.indices, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), inside ? "adcabd" : "acdadb");
     return finished(std::move(mesh));
 }
 
@@ -54,14 +46,7 @@ inline void addPlate(Mesh& mesh, double z, bool down = false) {
             mesh.uvs.emplace_back(x, 1 - y);
             mesh.tangents.emplace_back(1, 0, 0, 1);
         }
-    for (std::uint32_t j = 0; j < kCuts; ++j)
-        for (std::uint32_t i = 0; i < kCuts; ++i) {
-            const std::uint32_t a = first + j * (kCuts + 1) + i, b = a + 1, c = b + kCuts + 1, d = a + kCuts + 1;
-            if (down)
-                mesh.indices.insert(mesh.indices.end(), {a, c, b, a, d, c});
-            else
-                mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
-        }
+    addGrid(mesh.indices, kCuts, kCuts, down ? "adbacd" : "abdadc", first);
 }
 
 inline Mesh plate() {

@@ -185,11 +185,7 @@ TEST(RootLengths, of_a_cylinder_s_inside_follow_the_narrow_direction) {
             mesh.positions.emplace_back(20 * std::cos(phi), 20 * std::sin(phi), 5 * j);
             mesh.normals.emplace_back(-std::cos(phi), -std::sin(phi), 0);
         }
-    for (std::uint32_t j = 0; j < 20; ++j)
-        for (std::uint32_t i = 0; i < kSides; ++i) {
-            const std::uint32_t a = j * (kSides + 1) + i, b = a + 1, c = b + kSides + 1, d = a + kSides + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, c, b, a, d, c});
-        }
+    addGrid(mesh.indices, kSides, 20, "adbacd");
     for (const Root& root : rootsOf(finished(std::move(mesh)), few(4000)).roots)
         EXPECT_NEAR(root.limit, 0.8 * 20, 0.03 * 16);
 }

@@ -28,23 +28,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Comparison : public test::WithDevice {
+/// With a folder for scenes of its own.
+class Benches : public test::WithDevice {
 protected:
-    Comparison() {
-        options_ = {.effects = "effects",
-                    .sceneFolder = fs::temp_directory_path() / ("tegument-compare-" + std::to_string(::getpid())),
-                    .scenes = {"sphere-5"},
-                    .width = 48,
-                    .height = 48,
-                    .mapSizes = {128},
-                    .frames = {.warmUp = 0, .timed = 1},
-                    .compiler = defaultCompiler(),
-                    .pixels = 128};
+    explicit Benches(BenchOptions options) : options_(std::move(options)) {
+        options_.effects = "effects";
+        options_.sceneFolder = fs::temp_directory_path() / ("tegument-bench-" + std::to_string(::getpid()));
+        options_.compiler = defaultCompiler();
     }
-    ~Comparison() override {
+    ~Benches() override {
         std::error_code code;
         fs::remove_all(options_.sceneFolder, code);
     }
+
+    BenchOptions options_;
+};
+
+class Comparison : public Benches {
+protected:
+    Comparison()
+        : Benches(
+              {.scenes = {"sphere-5"}, .width = 48, .height = 48, .mapSizes = {128}, .frames = {.warmUp = 0, .timed = 1}, .pixels = 128}) {}
 
     std::vector<Row> run(const std::vector<std::string>& techniques, const std::vector<std::string>& settings) {
         const auto catalogue = loadCatalogue("effects/catalogue.json");
@@ -60,8 +64,6 @@ protected:
         }
         return *rows;
     }
-
-    BenchOptions options_;
 };
 
 double errorOf(const std::vector<Row>& rows, const std::string& technique, const std::string& setting) {
@@ -71,25 +73,17 @@ double errorOf(const std::vector<Row>& rows, const std::string& technique, const
     return 0;
 }
 
-class FurBench : public test::WithDevice {
+class FurBench : public Benches {
 protected:
-    FurBench() {
-        options_ = {.effects = "effects",
-                    .sceneFolder = fs::temp_directory_path() / ("tegument-fur-" + std::to_string(::getpid())),
-                    .scenes = {"sphere-20"},
-                    .width = 96,
-                    .height = 96,
-                    .mapSizes = {256},
-                    .shadowSizes = {256},
-                    .frames = {.warmUp = 0, .timed = 1},
-                    .compiler = defaultCompiler(),
-                    .pixels = 0,
-                    .assets = assets::meshAssets([](const std::string&) {})};
-    }
-    ~FurBench() override {
-        std::error_code code;
-        fs::remove_all(options_.sceneFolder, code);
-    }
+    FurBench()
+        : Benches({.scenes = {"sphere-20"},
+                   .width = 96,
+                   .height = 96,
+                   .mapSizes = {256},
+                   .shadowSizes = {256},
+                   .frames = {.warmUp = 0, .timed = 1},
+                   .pixels = 0,
+                   .assets = assets::meshAssets([](const std::string&) {})}) {}
 
     /// Rows by technique and scene.
     std::map<std::pair<std::string, std::string>, Row> rows(const std::vector<std::string>& techniques) {
@@ -111,8 +105,6 @@ protected:
             }
         return found;
     }
-
-    BenchOptions options_;
 };
 
 // On a ball of 20 mm in a coat as long as a twentieth of its radius; truth of 16 to 64 rays a pixel.
@@ -150,47 +142,28 @@ const Motion& named(const std::string& name) {
     return *std::ranges::find(motions(), name, &Motion::name);
 }
 
-class Motions : public test::WithDevice {
+class Motions : public Benches {
 protected:
-    Motions() {
-        options_ = {.effects = "effects",
-                    .sceneFolder = fs::temp_directory_path() / ("tegument-motion-" + std::to_string(::getpid())),
-                    .scenes = {"sphere-5"},
-                    .width = 48,
-                    .height = 48,
-                    .mapSizes = {128},
-                    .shadowSizes = {256},
-                    .compiler = defaultCompiler(),
-                    .pixels = 64,
-                    .assets = assets::meshAssets([](const std::string&) {})};
-    }
-    ~Motions() override {
-        std::error_code code;
-        fs::remove_all(options_.sceneFolder, code);
-    }
-
-    BenchOptions options_;
+    Motions()
+        : Benches({.scenes = {"sphere-5"},
+                   .width = 48,
+                   .height = 48,
+                   .mapSizes = {128},
+                   .shadowSizes = {256},
+                   .pixels = 64,
+                   .assets = assets::meshAssets([](const std::string&) {})}) {}
 };
 
-class Pyramids : public test::WithDevice {
+class Pyramids : public Benches {
 protected:
-    Pyramids() {
-        options_ = {.effects = "effects",
-                    .sceneFolder = fs::temp_directory_path() / ("tegument-pyramid-" + std::to_string(::getpid())),
-                    .scenes = {},
-                    .width = 96,
-                    .height = 96,
-                    .mapSizes = {256},
-                    .shadowSizes = {1024},
-                    .frames = {.warmUp = 0, .timed = 1},
-                    .compiler = defaultCompiler(),
-                    .pixels = 256,
-                    .assets = assets::meshAssets([](const std::string&) {})};
-    }
-    ~Pyramids() override {
-        std::error_code code;
-        fs::remove_all(options_.sceneFolder, code);
-    }
+    Pyramids()
+        : Benches({.width = 96,
+                   .height = 96,
+                   .mapSizes = {256},
+                   .shadowSizes = {1024},
+                   .frames = {.warmUp = 0, .timed = 1},
+                   .pixels = 256,
+                   .assets = assets::meshAssets([](const std::string&) {})}) {}
 
     /// Relative L2 of each technique, in their order.
     std::vector<double> errors(const std::string& scene, const std::vector<std::string>& techniques) {
@@ -216,8 +189,6 @@ protected:
         all.resize(techniques.size(), 1.0);
         return all;
     }
-
-    BenchOptions options_;
 };
 
 } // namespace

@@ -28,12 +28,7 @@ Mesh quadGrid(int across, int down, const std::function<glm::dvec3(double, doubl
             mesh.positions.emplace_back(p);
             mesh.normals.emplace_back(normal(p));
         }
-    for (int j = 0; j < down; ++j)
-        for (int i = 0; i < across; ++i) {
-            const auto v = static_cast<std::uint32_t>(j * (across + 1) + i);
-            const auto below = v + static_cast<std::uint32_t>(across) + 1;
-            mesh.indices.insert(mesh.indices.end(), {v, below, below + 1, v, below + 1, v + 1});
-        }
+    addGrid(mesh.indices, static_cast<std::uint32_t>(across), static_cast<std::uint32_t>(down), "acdadb");
     computeBounds(mesh);
     return mesh;
 }

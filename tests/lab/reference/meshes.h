@@ -1,7 +1,7 @@
 #pragma once
 // Shapes whose light is known in closed form.
 
-#include "host/mesh/mesh.h"
+#include "host/mesh/triangles.h"
 
 #include <cmath>
 #include <map>
@@ -24,12 +24,7 @@ inline Mesh plane(float half, std::uint32_t cells, float height = 0) {
             mesh.tangents.emplace_back(1, 0, 0, 1);
             mesh.uvs.push_back(uv);
         }
-    for (std::uint32_t y = 0; y < cells; ++y)
-        for (std::uint32_t x = 0; x < cells; ++x) {
-            const std::uint32_t i = y * (cells + 1) + x;
-            for (const std::uint32_t corner : {i, i + 1, i + cells + 1, i + 1, i + cells + 2, i + cells + 1})
-                mesh.indices.push_back(corner);
-        }
+    addGrid(mesh.indices, cells, cells, "abcbdc");
     return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include "host/run/run.h"
 #include "lab/verify/scene.h"
 #include "tests/lab/verify/fixture.h"
+#include "tests/run/slider_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,30 @@ protected:
         return std::move(run->image);
     }
 };
+
+inline void addHardFaces(Mesh& mesh) {
+    std::vector<std::uint32_t>& indices = mesh.indices;
+    for (std::uint32_t i = 0; i + 300 < indices.size(); i += 300) {
+        indices.insert(indices.end(), {indices[i], indices[i + 1], indices[i + 200]}); // a third face at an edge
+        indices.insert(indices.end(), {indices[i], indices[i + 2], indices[i + 1]});   // the same face from behind
+        indices.insert(indices.end(), {indices[i], indices[i], indices[i + 1]});       // a line
+    }
+    mesh.parts.front().indexCount = static_cast<std::uint32_t>(indices.size());
+}
+
+/// Draws with one slider after the other at each of its ends; gives their number.
+template <class Draw>
+std::size_t atSliderEnds(const char* file, Draw draw) {
+    const auto effect = loadEffect(file);
+    EXPECT_TRUE(effect) << format(effect.error());
+    if (!effect) return 0;
+    const std::vector<SliderEnd> ends = sliderEnds(*effect);
+    for (const SliderEnd& end : ends) {
+        SCOPED_TRACE(end.parameter + " = " + std::to_string(end.value));
+        draw({{end.parameter, {end.value}}});
+    }
+    return ends.size();
+}
 
 /// Pixels whose alpha is not 0.
 inline std::size_t covered(const Image& picture) {

@@ -7,7 +7,6 @@
 #include "lab/verify/fur_roots_scene.h"
 #include "lab/verify/fur_scene.h"
 #include "tests/lab/verify/fur_fixture.h"
-#include "tests/run/slider_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,13 +107,7 @@ TEST_P(FurRoots, normals_of_zero_everywhere_show_the_bare_mesh) {
 
 TEST_P(FurRoots, fins_flipped_faces_and_triangles_without_area_are_drawn) {
     const std::size_t whole = covered(draw());
-    std::vector<std::uint32_t>& indices = mesh().indices;
-    for (std::uint32_t i = 0; i + 300 < indices.size(); i += 300) {
-        indices.insert(indices.end(), {indices[i], indices[i + 1], indices[i + 200]}); // a third face at an edge
-        indices.insert(indices.end(), {indices[i], indices[i + 2], indices[i + 1]});   // the same face from behind
-        indices.insert(indices.end(), {indices[i], indices[i], indices[i + 1]});       // a line
-    }
-    mesh().parts.front().indexCount = static_cast<std::uint32_t>(indices.size());
+    addHardFaces(mesh());
     EXPECT_GE(covered(draw()), whole);
 }
 
@@ -146,14 +139,7 @@ TEST_P(FurRoots, without_light_is_black) {
 }
 
 TEST_P(FurRoots, every_slider_s_ends_leave_the_picture_finite) {
-    const auto effect = loadEffect("effects/FurRoots.fx");
-    ASSERT_TRUE(effect) << format(effect.error());
-    const std::vector<SliderEnd> ends = sliderEnds(*effect);
-    for (const SliderEnd& end : ends) {
-        SCOPED_TRACE(end.parameter + " = " + std::to_string(end.value));
-        draw({{end.parameter, {end.value}}}, 16);
-    }
-    EXPECT_GE(ends.size(), 40U);
+    EXPECT_GE(atSliderEnds("effects/FurRoots.fx", [&](const Parameters& end) { draw(end, 16); }), 40U);
 }
 
 TEST_P(FurRoots, meshes_a_thousandth_and_a_million_in_size_look_alike) {

@@ -4,7 +4,6 @@
 #include "lab/measure/flat_fur.h"
 #include "lab/verify/fur_scene.h"
 #include "tests/lab/verify/fur_fixture.h"
-#include "tests/run/slider_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,13 +121,7 @@ TEST_F(Fur, meshes_a_thousandth_and_a_million_in_size_look_alike) {
 
 TEST_F(Fur, fins_flipped_faces_and_triangles_without_area_are_drawn) {
     const Image whole = draw();
-    std::vector<std::uint32_t>& indices = mesh().indices;
-    for (std::uint32_t i = 0; i + 300 < indices.size(); i += 300) {
-        indices.insert(indices.end(), {indices[i], indices[i + 1], indices[i + 200]}); // a third face at an edge
-        indices.insert(indices.end(), {indices[i], indices[i + 2], indices[i + 1]});   // the same face from behind
-        indices.insert(indices.end(), {indices[i], indices[i], indices[i + 1]});       // a line
-    }
-    mesh().parts.front().indexCount = static_cast<std::uint32_t>(indices.size());
+    addHardFaces(mesh());
     EXPECT_GE(covered(draw()), covered(whole));
 }
 
@@ -207,14 +200,7 @@ TEST_F(Fur, is_the_same_in_every_run) {
 }
 
 TEST_F(Fur, every_slider_s_ends_leave_the_picture_finite) {
-    const auto effect = loadEffect("effects/Fur.fx");
-    ASSERT_TRUE(effect) << format(effect.error());
-    const std::vector<SliderEnd> ends = sliderEnds(*effect);
-    for (const SliderEnd& end : ends) {
-        SCOPED_TRACE(end.parameter + " = " + std::to_string(end.value));
-        draw({{end.parameter, {end.value}}}, 48);
-    }
-    EXPECT_GE(ends.size(), 24U);
+    EXPECT_GE(atSliderEnds("effects/Fur.fx", [&](const Parameters& end) { draw(end, 48); }), 24U);
 }
 
 using FullFur = Verify;

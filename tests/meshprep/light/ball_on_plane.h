@@ -1,7 +1,7 @@
 #pragma once
 // A plane over its whole map, and a ball that hides light from it.
 
-#include "host/mesh/mesh.h"
+#include "host/mesh/triangles.h"
 
 #include <cmath>
 #include <cstdint>
@@ -11,16 +11,8 @@ namespace tegument::test {
 
 /// A square of side 200 mm in y = 0 that faces up, over the whole map.
 inline Mesh plane() {
-    Mesh mesh{.name = "plane",
-              .positions = {},
-              .normals = {},
-              .tangents = {},
-              .uvs = {},
-              .indices = {},
-              .parts = {},
-              .textures = {},
-              .attribution = {},
-              .bounds = {}};
+    Mesh mesh;
+    mesh.name = "plane";
     for (int i = 0; i < 4; ++i) {
         const glm::vec2 corner(i & 1, i >> 1);
         mesh.positions.emplace_back(200.0F * (corner.x - 0.5F), 0.0F, 200.0F * (corner.y - 0.5F));
@@ -50,12 +42,7 @@ inline void addBall(Mesh& mesh, glm::vec3 centre, float radius, bool baked) {
             mesh.tangents.emplace_back(std::sin(around), 0, -std::cos(around), 1);
             mesh.uvs.push_back(baked ? glm::vec2(x, y) / glm::vec2(kColumns, kRows) : glm::vec2(-5));
         }
-    for (std::uint32_t y = 0; y < kRows; ++y)
-        for (std::uint32_t x = 0; x < kColumns; ++x) {
-            const std::uint32_t a = first + y * (kColumns + 1) + x;
-            for (const std::uint32_t index : {a, a + 1, a + kColumns + 1, a + 1, a + kColumns + 2, a + kColumns + 1})
-                mesh.indices.push_back(index);
-        }
+    addGrid(mesh.indices, kColumns, kRows, "abcbdc", first);
 }
 
 } // namespace tegument::test

@@ -1,5 +1,6 @@
 // How a head lies in a file, by its shape: the same guess whatever the axes and the unit.
 
+#include "host/mesh/triangles.h"
 #include "host/support/file.h"
 #include "meshprep/portrait/portrait.h"
 
@@ -134,11 +135,7 @@ TEST(HeadPose, of_what_has_no_face_is_not_certain) {
             ball.positions.emplace_back(95 * std::sin(polar) * std::cos(around), 120 * std::cos(polar),
                                         75 * std::sin(polar) * std::sin(around));
         }
-    for (std::uint32_t ring = 0; ring < kRings; ++ring)
-        for (std::uint32_t side = 0; side < kRings; ++side) {
-            const std::uint32_t a = ring * (kRings + 1) + side, b = a + kRings + 1;
-            ball.indices.insert(ball.indices.end(), {a, a + 1, b, b, a + 1, b + 1});
-        }
+    addGrid(ball.indices, kRings, kRings, "abccbd");
     const auto pose = guessHeadPose(ball.positions, ball.indices);
     ASSERT_TRUE(pose);
     EXPECT_FALSE(isCertain(*pose)) << pose->likeness << ", next " << pose->runnerUp;

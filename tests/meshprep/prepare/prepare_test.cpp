@@ -1,4 +1,5 @@
 // The whole way, from file to file.
+#include "host/mesh/triangles.h"
 #include "meshprep/prepare/levels.h"
 #include "meshprep/prepare/simplify.h"
 #include "tests/meshprep/prepare/meshes.h"
@@ -456,11 +457,7 @@ TEST_F(Prepare, no_level_tells_a_larger_error_than_a_coarser_one) {
         for (std::uint32_t j = 0; j <= side; ++j)
             for (std::uint32_t i = 0; i <= side; ++i)
                 places.emplace_back(i, bump * std::sin(37.0 * i + 91.0 * j * j), j);
-        for (std::uint32_t j = 0; j < side; ++j)
-            for (std::uint32_t i = 0; i < side; ++i) {
-                const std::uint32_t a = j * (side + 1) + i, b = a + side + 1;
-                indices.insert(indices.end(), {a, b, b + 1, a, b + 1, a + 1});
-            }
+        addGrid(indices, side, side, "acdadb");
         return meshOf(std::move(places), std::move(indices));
     };
     for (const Mesh& mesh : {plate(1e-5, 90), plate(0.02, 90), makeShape(Shape::Terrain, 70)}) {

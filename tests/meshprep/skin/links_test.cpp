@@ -1,5 +1,6 @@
 // Links of skin against integrals in closed form: planes, sheets, borders.
 
+#include "host/mesh/triangles.h"
 #include "meshprep/skin/link_cells.h"
 #include "meshprep/skin/skin_links.h"
 
@@ -27,8 +28,7 @@ void addSheet(Mesh& mesh, double side, double z, glm::dvec2 corner, double mapSi
         mesh.positions.emplace_back((at.x - 0.5) * side, (at.y - 0.5) * side, z);
         mesh.uvs.emplace_back(corner + at * mapSide);
     }
-    for (const std::uint32_t index : {0U, 1U, 2U, 2U, 1U, 3U})
-        mesh.indices.push_back(first + index);
+    addGrid(mesh.indices, 1, 1, "abccbd", first);
 }
 
 /// What is left of a Gaussian for links: receivers of this side (mm) are read by a spline (docs/design/modules/Pyramid.md). How wide

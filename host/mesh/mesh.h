@@ -100,7 +100,7 @@ struct MeshOptions {
 /// Sets MeshPart::expanded by the positions, in meshes with texture coordinates.
 void markExpandedParts(Mesh& mesh);
 
-/// glb/gltf, PLY, OBJ, STL, OFF by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
+/// By content and extension (docs/meshes.md). Normals are made (angle weighted) where absent, tangents where there are UVs.
 [[nodiscard]] Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options = {});
 
 /// What one unit of a file is likely to be, in mm, where the unit that it was read with makes it smaller than 10 mm or larger than 20 m.

@@ -9,11 +9,13 @@
 #include "host/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <new>
+#include <ranges>
 
 namespace tegument {
 
@@ -21,33 +23,18 @@ namespace {
 
 using meshfile::Source;
 using meshfile::withoutMark;
-using Reader = Result<ReadMesh> (*)(const Source&);
-
-struct MeshFormat {
-    std::string_view extension;
-    Reader read;
-    double unitMm; // of a file that does not say
-};
-
-constexpr std::array<MeshFormat, 6> kFormats = {{{".glb", meshfile::readGltf, 1000},
-                                                 {".gltf", meshfile::readGltf, 1000},
-                                                 {".ply", meshfile::readPly, 1},
-                                                 {".obj", meshfile::readObj, 1},
-                                                 {".stl", meshfile::readStl, 1},
-                                                 {".off", meshfile::readOff, 1}}};
-
-const MeshFormat* formatNamed(std::string_view extension) {
-    const auto* found = std::ranges::find(kFormats, extension, &MeshFormat::extension);
-    return found == kFormats.end() ? nullptr : found;
+/// By its first bytes where those tell; the others are text or, like binary STL, may begin with anything, so their file names must help.
+const MeshFormat* formatOf(const std::filesystem::path& path, std::string_view bytes) {
+    for (const MeshFormat& format : meshFormats())
+        for (const std::string_view start : format.starts)
+            if (!start.empty() && bytes.starts_with(start)) return &format;
+    const MeshFormat* named = meshFormatOf(path);
+    return bytes.empty() || (named && !named->starts.front().empty()) ? nullptr : named;
 }
 
-/// glb and PLY by their first bytes; the others are text or, like binary STL, may begin with anything, so their file names must help.
-const MeshFormat* formatOf(const std::filesystem::path& path, std::string_view bytes) {
-    if (bytes.starts_with("glTF")) return formatNamed(".glb");
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ")) return formatNamed(".ply");
-    const std::string extension = toLower(path.extension().string());
-    if (bytes.empty() || extension == ".glb" || extension == ".ply") return nullptr;
-    return formatNamed(extension);
+template <class Formats>
+std::string listed(Formats formats, std::string_view MeshFormat::*field) {
+    return fmt::format("{}", fmt::join(formats | std::views::transform(field), ", "));
 }
 
 struct Stranger {
@@ -72,11 +59,14 @@ const Stranger* strangerIn(std::string_view bytes) {
 }
 
 Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
-    const std::string extension = toLower(path.extension().string());
-    std::string text = bytes.empty() ? "the file is empty" : "not a mesh in glb, glTF, PLY, OBJ, STL or OFF form";
+    const MeshFormat* named = meshFormatOf(path);
+    const std::span<const MeshFormat> formats = meshFormats();
+    std::string text = bytes.empty() ? "the file is empty"
+                                     : fmt::format("not a mesh in {} or {} form",
+                                                   listed(formats.first(formats.size() - 1), &MeshFormat::name), formats.back().name);
     std::string hint = bytes.empty() ? "fetch or export it again" : "convert it to glb";
-    if (!bytes.empty() && (extension == ".glb" || extension == ".ply")) {
-        text = fmt::format("the file is named {} but does not start like one", extension);
+    if (!bytes.empty() && named && !named->starts.front().empty()) {
+        text = fmt::format("the file is named {} but does not start like one", named->extension);
         hint = "fetch or export it again, or name it by what it is";
     }
     if (const Stranger* stranger = strangerIn(bytes)) {
@@ -144,10 +134,10 @@ std::optional<Error> makeStreamsFinite(Mesh& mesh, const Source& source) {
 
 /// Old Macintosh programs end lines with a carriage return alone: a text that knows no other becomes one of lines. Of a binary PLY only the
 /// header is text.
-void mendLines(std::string& bytes, const MeshFormat* format) {
-    if (format == formatNamed(".glb") || bytes.find('\r') == std::string::npos) return;
-    const bool ply = format == formatNamed(".ply");
-    if (format == formatNamed(".stl") && !toLower(trim(std::string_view(bytes).substr(0, 80))).starts_with("solid")) return;
+void mendLines(std::string& bytes, const MeshFormat& format) {
+    if (bytes.find('\r') == std::string::npos) return;
+    const bool ply = format.extension == ".ply";
+    if (format.extension == ".stl" && !toLower(trim(std::string_view(bytes).substr(0, 80))).starts_with("solid")) return;
     std::size_t end = bytes.size();
     if (ply && bytes.substr(0, bytes.find("end_header")).find("ascii") == std::string::npos)
         end = std::min(bytes.find("end_header"), bytes.size() - 11) + 11; // the word and what ends its line
@@ -181,7 +171,7 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
     const double unit = options.unitMm.value_or(format->unitMm);
     if (!(unit > 0 && std::isfinite(unit)))
         return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");
-    mendLines(*bytes, format);
+    mendLines(*bytes, *format);
     Source source{.path = path,
                   .bytes = *bytes,
                   .unitMm = unit,
@@ -205,6 +195,24 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
 }
 
 } // namespace
+
+std::span<const MeshFormat> meshFormats() {
+    return meshfile::kFormats;
+}
+
+const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
+    const std::string ending = toLower(path.extension().string());
+    const auto* found = std::ranges::find(meshfile::kFormats, ending, &MeshFormat::extension);
+    return found == meshfile::kFormats.end() ? nullptr : found;
+}
+
+std::string meshEndings() {
+    return listed(meshFormats(), &MeshFormat::extension);
+}
+
+std::string meshUps() {
+    return fmt::format("z of {} files, else y", listed(meshFormats() | std::views::filter(&MeshFormat::zIsUp), &MeshFormat::name));
+}
 
 Result<ReadMesh> readMesh(const std::filesystem::path& path, const ReadOptions& options) {
     try {

@@ -3,7 +3,10 @@
 
 #include "host/mesh/mesh.h"
 
+#include <array>
 #include <cstddef>
+#include <span>
+#include <string_view>
 
 namespace tegument {
 
@@ -36,7 +39,31 @@ struct ReadMesh {
     std::vector<std::string> materialNames{}; // of the parts of an OBJ file
 };
 
-/// glb/gltf, PLY, OBJ, STL, OFF by content and extension. A mesh without a triangle is no error here.
+struct GlbOptions;
+namespace meshfile {
+struct Source;
+}
+
+/// A row of the table in mesh_file.h, which whoever lists formats asks, or does for one what it does not for another.
+struct MeshFormat {
+    std::string_view extension; // ".glb"
+    std::string_view name;      // "glb"
+    Result<ReadMesh> (*read)(const meshfile::Source& source);
+    double unitMm;                            // of a file that does not say
+    bool zIsUp = false;                       // else y
+    std::array<std::string_view, 3> starts{}; // its first bytes are one of these; empty: only its name tells
+    Result<void> (*write)(const std::filesystem::path& path, const Mesh& mesh, const GlbOptions& options) = nullptr; // or it is not
+    bool holdsParts = false; // what is written has parts, materials, pictures and levels
+};
+[[nodiscard]] std::span<const MeshFormat> meshFormats();
+/// By the ending of its name; null where that is none of a mesh.
+[[nodiscard]] const MeshFormat* meshFormatOf(const std::filesystem::path& path);
+/// ".glb, .gltf" ...
+[[nodiscard]] std::string meshEndings();
+/// Which axis of which files points up: "z of STL files, else y".
+[[nodiscard]] std::string meshUps();
+
+/// One of `meshFormats`, by content and extension. A mesh without a triangle is no error here.
 [[nodiscard]] Result<ReadMesh> readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 } // namespace tegument

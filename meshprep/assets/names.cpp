@@ -1,8 +1,10 @@
 #include "meshprep/assets/names.h"
 
+#include "host/mesh/read_mesh.h"
 #include "host/support/process.h"
 #include "host/support/system.h"
 #include "host/support/text.h"
+#include "meshprep/assets/picture.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -83,12 +85,9 @@ std::string nearest(const std::vector<fs::path>& folders, const std::string& nam
 
 /// What else an effect's place was given to, by its name.
 std::string otherKind(const std::string& named) {
-    const std::string ending = toLower(fs::path(named).extension().string());
-    const auto among = [&](std::initializer_list<std::string_view> endings) { return std::ranges::find(endings, ending) != endings.end(); };
-    if (among({".obj", ".ply", ".stl", ".off", ".glb", ".gltf"})) return "a mesh";
-    if (among({".png", ".jpg", ".jpeg", ".exr", ".dds"})) return "a picture";
-    if (among({".json"})) return "a workspace";
-    return {};
+    if (meshFormatOf(named)) return "a mesh";
+    if (isPicture(named)) return "a picture";
+    return toLower(fs::path(named).extension().string()) == ".json" ? "a workspace" : "";
 }
 
 std::string howToGive(const std::string& kind, const std::string& named) {

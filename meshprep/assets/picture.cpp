@@ -29,6 +29,11 @@ bool isDisplayed(const std::filesystem::path& file) {
     return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
+bool isPicture(const std::filesystem::path& file) {
+    const std::string ending = toLower(file.extension().string());
+    return isDisplayed(file) || ending == ".exr" || ending == ".dds";
+}
+
 Result<void> writePicture(const std::filesystem::path& file, const Image& image, bool displayReferred) {
     const std::string ending = toLower(file.extension().string());
     if (ending == ".exr") return writeExr(file, image);

@@ -1,5 +1,6 @@
 #include "meshprep/assets/scene.h"
 
+#include "host/mesh/read_mesh.h"
 #include "host/mesh/triangles.h"
 #include "host/run/semantics.h"
 #include "host/support/text.h"
@@ -62,7 +63,8 @@ bool isFramed(const SceneOptions& options) {
 }
 
 UpAxis upOf(const SceneOptions& options) {
-    return options.up.value_or(toLower(fs::path(options.mesh).extension().string()) == ".stl" ? UpAxis::Z : UpAxis::Y);
+    const MeshFormat* format = meshFormatOf(options.mesh);
+    return options.up.value_or(format && format->zIsUp ? UpAxis::Z : UpAxis::Y);
 }
 
 /// Turned counter-clockwise seen from above, y up.

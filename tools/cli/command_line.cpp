@@ -1,7 +1,9 @@
 #include "tools/cli/command_line.h"
 
+#include "host/mesh/read_mesh.h"
 #include "host/support/text.h"
 #include "meshprep/assets/names.h"
+#include "meshprep/assets/picture.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -82,21 +84,13 @@ std::vector<std::string> optionsOf(const CLI::App& command) {
     return names;
 }
 
-bool endsLike(const std::string& word, std::initializer_list<std::string_view> endings) {
-    const std::string small = toLower(word);
-    return std::ranges::any_of(endings, [&](std::string_view ending) { return small.ends_with(ending); });
-}
-
-bool isMeshName(const std::string& word) {
-    return endsLike(word, {".glb", ".gltf", ".ply", ".obj", ".stl", ".off"});
-}
-
 /// Who names an effect or a mesh first wants it drawn, or prepared.
 std::string commandFor(const CLI::App& command, const std::string& word) {
     if (command.get_parent()) return {};
-    if (isMeshName(word))
+    if (meshFormatOf(word))
         return fmt::format("tegument prep {0} -o NEW.glb prepares a mesh, tegument render EFFECT --mesh {0} draws it", shellWord(word));
-    if (endsLike(word, {".fx"}) || assets::findEffect(word)) return fmt::format("tegument render {} draws an effect", shellWord(word));
+    if (toLower(word).ends_with(".fx") || assets::findEffect(word))
+        return fmt::format("tegument render {} draws an effect", shellWord(word));
     return {};
 }
 
@@ -111,8 +105,8 @@ Error unknownCommand(const CLI::App& command, const std::string& word) {
 /// What a word that stands where none is taken is likely to be; empty where nobody knows.
 std::string meantBy(const CLI::App& command, const std::string& word) {
     const auto takes = [&](const char* option) { return command.get_option_no_throw(option) != nullptr; };
-    if (isMeshName(word) && takes("--mesh")) return fmt::format("a mesh is given by --mesh {}", shellWord(word));
-    if ((isMeshName(word) || endsLike(word, {".png", ".jpg", ".jpeg", ".exr", ".dds"})) && takes("--output"))
+    if (meshFormatOf(word) && takes("--mesh")) return fmt::format("a mesh is given by --mesh {}", shellWord(word));
+    if ((meshFormatOf(word) || assets::isPicture(word)) && takes("--output"))
         return fmt::format("where it goes is said by -o {}", shellWord(word));
     if (takes("--set") && !word.empty() && word.find_first_not_of("0123456789.,-+eE") == std::string::npos)
         return "a value is one word with its name: --set NAME=VALUE";

@@ -1,6 +1,8 @@
 #include "tools/cli/dropped.h"
 
+#include "host/mesh/read_mesh.h"
 #include "host/support/text.h"
+#include "meshprep/assets/picture.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,11 +75,10 @@ Result<std::string> parameterFor(const fs::path& file, const Effect& effect) {
 
 Result<Dropped> kindOf(const fs::path& file) {
     const std::string ending = toLower(file.extension().string());
-    const auto among = [&](std::initializer_list<std::string_view> endings) { return std::ranges::find(endings, ending) != endings.end(); };
     if (ending == ".fx") return Dropped::Effect;
     if (ending == ".json") return Dropped::Workspace;
-    if (among({".glb", ".gltf", ".obj", ".ply", ".stl", ".off"})) return Dropped::Mesh;
-    if (among({".png", ".jpg", ".jpeg", ".exr", ".dds"})) return Dropped::Texture;
+    if (meshFormatOf(file)) return Dropped::Mesh;
+    if (assets::isPicture(file)) return Dropped::Texture;
     return usageError(8045, fmt::format("{} is neither an effect (.fx), a mesh, a workspace (.json) nor a picture", file.string()));
 }
 

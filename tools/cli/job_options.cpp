@@ -1,6 +1,9 @@
 #include "tools/cli/job_options.h"
 
+#include "host/mesh/read_mesh.h"
 #include "tools/cli/command_line.h"
+
+#include <fmt/format.h>
 
 namespace tegument::app {
 
@@ -20,7 +23,7 @@ void addEffectOptions(CLI::App& command, EffectOptions& options) {
 void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
-    command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .obj, .ply, .stl, .off); default: the workspace's");
+    command.add_option("-m,--mesh", options.scene.mesh, fmt::format("Mesh ({}); default: the workspace's", meshEndings()));
     CLI::Option* pose = command.add_option(
         "--pose", options.scene.pose, "The same mesh, bent: a file with its vertices moved; strands of FurCoat follow their triangles");
     command.add_option("--pose-before", options.scene.poseBefore, "The same in the frame before, for gMotionMap")->needs(pose);
@@ -36,7 +39,7 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     command
         .add_option_function<std::string>(
             "--up", [&options](const std::string& axis) { options.scene.up = axis == "z" ? UpAxis::Z : UpAxis::Y; },
-            "Which axis of --mesh points up: y or z; default: z of STL files, else y")
+            fmt::format("Which axis of --mesh points up: y or z; default: {}", meshUps()))
         ->transform(oneOf({"y", "z"}));
     command.add_option(
         "--turn", options.scene.turn,

@@ -1,6 +1,7 @@
 // tegument list: what there is to draw, and what is missing on this machine.
 
 #include "host/effect/model.h"
+#include "host/mesh/read_mesh.h"
 #include "host/scene/presets.h"
 #include "host/scene/workspace.h"
 #include "host/spirv/compile.h"
@@ -211,7 +212,7 @@ void print(Listing all) {
     fmt::print("\nworkspaces (-w NAME)\n");
     for (const WorkspaceRow& workspace : all.workspaces)
         printRow(workspace.file.stem().string(), workspace.problem.empty() ? workspace.shows : "missing: " + workspace.problem);
-    fmt::print("\nmeshes of these workspaces; any other: --mesh FILE (.glb, .gltf, .obj, .ply, .stl, .off)\n");
+    fmt::print("\nmeshes of these workspaces; any other: --mesh FILE ({})\n", meshEndings());
     for (const MeshRow& mesh : all.meshes)
         printRow(mesh.file.filename().string(), (mesh.there ? "" : "missing: ") + mesh.file.string());
 

@@ -1,8 +1,10 @@
 #include "tools/cli/output.h"
 
+#include "host/mesh/read_mesh.h"
 #include "host/support/file.h"
 #include "host/support/kept_inputs.h"
 #include "host/support/text.h"
+#include "meshprep/assets/picture.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,11 +83,9 @@ bool isOurs(const std::filesystem::path& path) {
 
 /// For kinds of files that carry a mark.
 void warnOfForeign(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 7> kMarked = {".png", ".jpg", ".jpeg", ".exr", ".dds", ".glb", ".ply"};
+    const MeshFormat* mesh = meshFormatOf(path);
     std::error_code code;
-    if (std::ranges::find(kMarked, toLower(path.extension().string())) == kMarked.end() || !std::filesystem::is_regular_file(path, code) ||
-        isOurs(path))
-        return;
+    if (!(assets::isPicture(path) || (mesh && mesh->write)) || !std::filesystem::is_regular_file(path, code) || isOurs(path)) return;
     Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028, .at = {}, .text = {}, .hint = {}};
     diagnostic.text = fmt::format("{} was not written by Tegument, and is replaced", path.string());
     diagnostic.hint = "the next release will refuse that without --force";

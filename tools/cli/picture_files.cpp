@@ -58,8 +58,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
 
 Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effect, bool moving) {
     const fs::path output = options.output.empty() ? fs::path("out") / effect.stem().concat(".png") : fs::path(options.output);
-    const std::string extension = toLower(output.extension().string());
-    const bool still = assets::isDisplayed(output) || extension == ".exr" || extension == ".dds";
+    const bool still = assets::isPicture(output);
     if (still || (moving && isAnimation(output))) {
         if (const auto can = checkOutput(output.string(), {}); !can) return can.error();
         return output;

@@ -1,6 +1,7 @@
 // tegument portrait: a head, however it lies in its file, as skin in a studio.
 
 #include "host/mesh/extent.h"
+#include "host/mesh/read_mesh.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
@@ -112,7 +113,7 @@ void addPortrait(CLI::App& program, Action& action) {
     options->job.size = "1024x1024";
     CLI::App* command =
         program.add_subcommand("portrait", "Draw a head of any unit and orientation as skin in a studio; says what it guessed");
-    command->add_option("head", options->head, "Mesh of a head (.glb, .gltf, .obj, .ply, .stl, .off)")->required();
+    command->add_option("head", options->head, fmt::format("Mesh of a head ({})", meshEndings()))->required();
     command->add_option("-o,--output", options->output, "Picture to write (.png, .jpg, .exr, .dds); default: out/<head>.png");
     const auto axis = oneOf({"x", "y", "z", "-x", "-y", "-z"});
     command

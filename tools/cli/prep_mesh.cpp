@@ -2,6 +2,7 @@
 
 #include "tools/cli/prep_mesh.h"
 
+#include "host/mesh/read_mesh.h"
 #include "host/support/file.h"
 #include "host/support/left_out.h"
 #include "host/support/text.h"
@@ -309,15 +310,17 @@ struct Arguments {
     bool dryRun = false;
     bool json = false;
     bool refuseNotFinite = false;
-    std::string up; // y or z; empty: z of STL files, else y
+    std::string up; // y or z; empty: as files of that format usually have it
     std::string order = "best";
     std::string cache = "warp";
     std::set<std::string> created; // folders
     prep::PrepOptions options;
 };
 
-std::string endingOf(const std::string& path) {
-    return toLower(std::filesystem::path(path).extension().string());
+/// Whether what is written holds more than the full mesh in one piece.
+bool holdsParts(const Arguments& arguments) {
+    const MeshFormat* output = meshFormatOf(arguments.output);
+    return !output || output->holdsParts;
 }
 
 Json reportOf(const Arguments& arguments, const prep::PrepReport& report) {
@@ -326,9 +329,7 @@ Json reportOf(const Arguments& arguments, const prep::PrepReport& report) {
 
 Result<void> write(const Arguments& arguments, const prep::Prepared& prepared) {
     if (!arguments.dryRun) {
-        const auto extension = toLower(std::filesystem::path(arguments.output).extension().string());
-        const auto written = extension == ".ply" ? writePly(arguments.output, prepared.mesh, prepared.glb.moved)
-                                                 : writeGlb(arguments.output, prepared.mesh, prepared.glb);
+        const auto written = meshFormatOf(arguments.output)->write(arguments.output, prepared.mesh, prepared.glb);
         if (!written) return written.error();
     }
     if (arguments.report.empty()) return {};
@@ -358,18 +359,18 @@ Result<void> inputExists(const Arguments& arguments) {
 
 Result<void> checkFiles(const Arguments& arguments) {
     if (arguments.input.empty()) return usageError(8041, "which mesh?", "tegument prep IN -o OUT.glb, or tegument prep human");
-    if (endingOf(arguments.input).empty()) // rather a misspelt command than a mesh
+    if (!std::filesystem::path(arguments.input).has_extension()) // rather a misspelt command than a mesh
         if (const auto exists = inputExists(arguments); !exists) return exists.error();
     if (const auto can = checkOutput(arguments.report, {}); !can) return can.error();
     if (arguments.dryRun) return {};
     if (arguments.output.empty()) return usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run");
-    if (const std::string ending = endingOf(arguments.output); ending != ".glb" && ending != ".ply")
+    if (const MeshFormat* output = meshFormatOf(arguments.output); !output || !output->write)
         return usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply");
     return checkOutput(arguments.output, {});
 }
 
-/// What a PLY file has no place for.
-void warnOfPly(const prep::Prepared& prepared) {
+/// What a file of one piece has no place for.
+void warnOfLost(const prep::Prepared& prepared, const std::string& output) {
     const Mesh& mesh = prepared.mesh;
     std::string lost;
     const auto add = [&](std::size_t count, const char* what) {
@@ -385,7 +386,7 @@ void warnOfPly(const prep::Prepared& prepared) {
     warn({{.severity = Severity::Warning,
            .code = 5331,
            .at = {.byte = {}},
-           .text = fmt::format("a PLY file keeps none of {}", lost),
+           .text = fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost),
            .hint = "write a glb to keep them",
            .sourceLine = {}}});
 }
@@ -411,9 +412,10 @@ void tellWhatWasWritten(const Arguments& arguments) {
 
 int run(Arguments& arguments) {
     if (const auto fine = checkFiles(arguments); !fine) return fail(fine.error(), arguments.json);
-    if (endingOf(arguments.output) == ".ply") arguments.options.levels = 1; // it holds the full mesh only
+    if (!holdsParts(arguments)) arguments.options.levels = 1;
     arguments.options.guessUnit = true;
-    arguments.options.turnUp = arguments.up.empty() ? endingOf(arguments.input) == ".stl" : arguments.up == "z";
+    const MeshFormat* input = meshFormatOf(arguments.input);
+    arguments.options.turnUp = arguments.up.empty() ? input && input->zIsUp : arguments.up == "z";
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     if (const auto can = checkLevels(arguments.options); !can) return fail(can.error(), arguments.json);
@@ -426,7 +428,7 @@ int run(Arguments& arguments) {
     progress.clear();
     if (!prepared) return fail(prepared.error(), arguments.json);
     warn(prepared->report.warnings);
-    if (endingOf(arguments.output) == ".ply") warnOfPly(*prepared);
+    if (!holdsParts(arguments)) warnOfLost(*prepared, arguments.output);
     for (const std::string& path : {arguments.dryRun ? std::string() : arguments.output, arguments.report})
         if (const std::string folder = folderToMake(path); !folder.empty()) arguments.created.insert(folder);
     if (const auto written = write(arguments, *prepared); !written) return fail(written.error(), arguments.json);
@@ -447,7 +449,7 @@ void addReading(CLI::App& command, Arguments& arguments) {
     command.add_option("--unit-mm", read.unitMm, "Millimetres per unit of the file; default: 1000 for glTF, else 1, or what is likely");
     command
         .add_option("--up", arguments.up,
-                    "Which axis of the file points up, y or z; default: z of STL files, else y. Of what is written it is y")
+                    fmt::format("Which axis of the file points up, y or z; default: {}. Of what is written it is y", meshUps()))
         ->transform(oneOf({"y", "z"}));
     command.add_flag("--drop-bad-faces", read.dropBadFaces, "Leave out faces that refer to no vertex, instead of refusing the file");
     command.add_flag("--anywhere", read.roots.anywhere,
@@ -526,7 +528,7 @@ void addStoring(CLI::App& command, prep::PrepOptions& options) {
 
 void addPrepMesh(CLI::App& command, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("input", arguments->input, "Mesh to prepare: PLY, OBJ, STL, OFF, glb or glTF");
+    command.add_option("input", arguments->input, fmt::format("Mesh to prepare ({})", meshEndings()));
     command.add_option("-o,--output", arguments->output, "Where it goes: .glb or .ply");
     command.add_option("--report", arguments->report, "Write what each step changed, and the figures before and after, as JSON");
     addReportOptions(command, arguments->page, "--report");

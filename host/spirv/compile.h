@@ -103,8 +103,8 @@ struct Shader {
 /// DXC when available, else glslang.
 [[nodiscard]] Compiler defaultCompiler();
 
-/// Compiles, validates (vulkan1.1), reflects. Results come from the disk cache when source, entry, stage, defines, flags and compiler are
-/// the same.
+/// Compiles, validates (for Vulkan 1.3), reflects. Results come from the disk cache when source, entry, stage, defines, flags and compiler
+/// are the same.
 [[nodiscard]] Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler);
 
 /// Makes `pixel` read what `vertex` writes: inputs are matched by semantic, and the locations inside the pixel shader's SPIR-V and

@@ -6,7 +6,7 @@ namespace tegument::spirv {
 
 std::string validate(std::span<const std::uint32_t> words) {
     std::string messages;
-    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
     tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
         if (!messages.empty()) messages += "; ";
         messages += text;

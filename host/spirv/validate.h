@@ -8,7 +8,7 @@
 
 namespace tegument::spirv {
 
-/// Empty when the module is valid for Vulkan 1.1; otherwise what the validator says.
+/// Empty when the module is valid for Vulkan 1.3; otherwise what the validator says.
 [[nodiscard]] std::string validate(std::span<const std::uint32_t> words);
 
 /// Semantics and HLSL type names need extensions that a Vulkan 1.3 device need not have: a valid module without both. Empty when it cannot

@@ -125,14 +125,6 @@ TEST_F(PipelineMistakes, what_is_not_spirv) {
     EXPECT_TRUE(fails(device().createPipeline(bad), 6020, {"screen", "pixel"}));
 }
 
-TEST_F(PipelineMistakes, spirv_that_is_whole_but_not_valid) {
-    std::vector<std::uint32_t> words(std::begin(uniform_frag), std::end(uniform_frag));
-    words[3] = 1; // the bound of ids, which all of them reach
-    PipelineDesc bad = desc();
-    bad.pixel.spirv = words;
-    EXPECT_TRUE(fails(device().createPipeline(bad), 6020, {"screen", "pixel"}));
-}
-
 TEST_F(PipelineMistakes, entry_points_that_are_not_there) {
     PipelineDesc bad = desc();
     bad.pixel.entry = "PSMain";

@@ -49,6 +49,12 @@ TEST_P(Link, a_pixel_shader_with_fewer_members_reads_the_locations_that_the_vert
     EXPECT_EQ(spirv::validate(to.spirv), "");
 }
 
+TEST_P(Link, a_module_that_is_whole_but_not_valid_is_told) {
+    Shader shader = vertex();
+    shader.spirv[3] = 1; // the bound of ids, which all of them reach
+    EXPECT_NE(spirv::validate(shader.spirv), "");
+}
+
 TEST_P(Link, swapped_members_are_matched_by_semantic) {
     const Shader from = vertex();
     Shader to = pixel("float2 uv : TEXCOORD0, float4 colour : COLOR0", "colour * uv.x");

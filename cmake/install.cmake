@@ -20,8 +20,8 @@ install(TARGETS ${exported} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegum
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
 # What a program may include: these, and no other header. A repository check keeps them from including what is not installed.
 set(public_headers
-    host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/state.h host/support/text.h
-    host/effect/entry_points.h host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
+    host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/shader_stage.h
+    host/support/state.h host/support/text.h host/effect/entry_points.h host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
     host/spirv/compile.h host/spirv/dxil.h tools/direct3d/microsoft.h tools/check/check.h tools/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
     host/mesh/mesh.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h

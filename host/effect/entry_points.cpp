@@ -8,23 +8,23 @@ namespace tegument {
 
 std::vector<ShaderUse> entryPoints(const std::vector<const Pass*>& passes) {
     std::vector<ShaderUse> uses;
-    const auto add = [&](const std::optional<ShaderReference>& shader, ShaderKind kind, bool undrawn) {
+    const auto add = [&](const std::optional<ShaderReference>& shader, ShaderStage stage, bool undrawn) {
         if (!shader) return;
         const auto known = std::ranges::find_if(uses, [&](const ShaderUse& use) {
-            return use.kind == kind && use.shader->entry == shader->entry && use.shader->arguments == shader->arguments &&
+            return use.stage == stage && use.shader->entry == shader->entry && use.shader->arguments == shader->arguments &&
                    use.shader->code == shader->code;
         });
         if (known == uses.end())
-            uses.push_back({kind, &*shader, undrawn});
+            uses.push_back({stage, &*shader, undrawn});
         else
             known->undrawn = known->undrawn && undrawn;
     };
     for (const Pass* pass : passes) {
         const bool undrawn = needsOtherStages(*pass);
-        add(pass->vertexShader, ShaderKind::Vertex, undrawn);
-        add(pass->pixelShader, ShaderKind::Pixel, undrawn);
-        add(pass->geometryShader, ShaderKind::Geometry, true);
-        add(pass->computeShader, ShaderKind::Compute, undrawn);
+        add(pass->vertexShader, ShaderStage::Vertex, undrawn);
+        add(pass->pixelShader, ShaderStage::Pixel, undrawn);
+        add(pass->geometryShader, ShaderStage::Geometry, true);
+        add(pass->computeShader, ShaderStage::Compute, undrawn);
     }
     return uses;
 }

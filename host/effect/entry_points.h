@@ -2,15 +2,14 @@
 // The entry points of an effect: running, checking, writing out and the editor's server take them from here.
 
 #include "host/effect/model.h"
+#include "host/support/shader_stage.h"
 
 #include <vector>
 
 namespace tegument {
 
-enum class ShaderKind { Vertex, Pixel, Geometry, Compute };
-
 struct ShaderUse {
-    ShaderKind kind = ShaderKind::Pixel;
+    ShaderStage stage = ShaderStage::Pixel;
     const ShaderReference* shader = nullptr;
     bool undrawn = false; // only passes with stages that this host does not run have it
 };

@@ -18,15 +18,6 @@ namespace {
 
 constexpr spv_target_env kEnvironment = SPV_ENV_VULKAN_1_3;
 
-std::string_view stageName(ShaderStage stage) {
-    switch (stage) {
-    case ShaderStage::Vertex: return "vertex";
-    case ShaderStage::Pixel: return "pixel";
-    case ShaderStage::Compute: return "compute";
-    }
-    return "";
-}
-
 // SPIR-V specification, 2.3 "Physical Layout of a SPIR-V Module" and 3.42 "Instructions".
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::uint32_t kSpirv14 = 0x00010400; // from here on the interface lists variables of all storage classes
@@ -109,24 +100,24 @@ void appendEntry(std::vector<std::uint32_t>& into, std::span<const std::uint32_t
 
 Result<void> checkShader(std::span<const std::uint32_t> words, const std::string& entry, ShaderStage stage, const std::string& pipeline) {
     struct Search {
-        ShaderStage stage;
+        std::uint32_t model;
         std::string_view name;
         bool found = false;
-    } search{stage, entry};
+    } search{stageNames(stage).model, entry};
     const auto visit = [](void* into, const spv_parsed_instruction_t* instruction) {
         auto& wanted = *static_cast<Search*>(into);
         const std::uint32_t* w = instruction->words; // strings end within their instruction
-        wanted.found |= instruction->opcode == kOpEntry && w[1] == static_cast<std::uint32_t>(wanted.stage) &&
-                        wanted.name == reinterpret_cast<const char*>(w + 3);
+        wanted.found |= instruction->opcode == kOpEntry && w[1] == wanted.model && wanted.name == reinterpret_cast<const char*>(w + 3);
         return SPV_SUCCESS;
     };
     std::string why = "it cannot be read";
     spvtools::Context context(kEnvironment);
     context.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { why = text; });
     if (spvBinaryParse(context.CContext(), &search, words.data(), words.size(), nullptr, visit, nullptr) != SPV_SUCCESS)
-        return requestError(6020, fmt::format("pipeline '{}': the {} shader is not a SPIR-V module: {}", pipeline, stageName(stage), why));
+        return requestError(6020,
+                            fmt::format("pipeline '{}': the {} shader is not a SPIR-V module: {}", pipeline, stageNames(stage).name, why));
     if (!search.found)
-        return requestError(6021, fmt::format("pipeline '{}': the module has no {} shader '{}'", pipeline, stageName(stage), entry));
+        return requestError(6021, fmt::format("pipeline '{}': the module has no {} shader '{}'", pipeline, stageNames(stage).name, entry));
     return {};
 }
 

@@ -3,6 +3,7 @@
 // A pixel shader may write colours that no target takes: Direct3D drops them. Vulkan does, too, and its validation layer warns of each.
 
 #include "host/support/result.h"
+#include "host/support/shader_stage.h"
 
 #include <cstdint>
 #include <span>
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace tegument::gpu::detail {
-
-enum class ShaderStage : std::uint32_t { Vertex = 0, Pixel = 4, Compute = 5 }; // SPIR-V's execution models
 
 /// The words are whole instructions of SPIR-V that declare this entry point for this stage: TG6020, TG6021.
 [[nodiscard]] Result<void> checkShader(std::span<const std::uint32_t> words, const std::string& entry, ShaderStage stage,

@@ -16,11 +16,7 @@ namespace tegument::run {
 
 namespace {
 
-Stage stageOf(ShaderKind kind) {
-    return kind == ShaderKind::Vertex ? Stage::Vertex : kind == ShaderKind::Compute ? Stage::Compute : Stage::Pixel;
-}
-
-StageKey keyOf(const ShaderReference& reference, Stage stage) {
+StageKey keyOf(const ShaderReference& reference, ShaderStage stage) {
     return {.stage = stage, .entry = reference.entry, .code = reference.code};
 }
 
@@ -84,7 +80,7 @@ Result<void> gatherStored(const Effect& effect, const Pass& pass, const Reflecti
 
 Result<PassProgram> compileCompute(const Effect& effect, const Pass& pass, Compiler compiler, const Stages& stages) {
     PassProgram program;
-    auto compute = madeOf(effect, keyOf(*pass.computeShader, Stage::Compute), compiler, stages);
+    auto compute = madeOf(effect, keyOf(*pass.computeShader, ShaderStage::Compute), compiler, stages);
     if (!compute) return compute.error();
     program.compute = std::move(*compute);
     gather(*program.compute, program);
@@ -123,7 +119,7 @@ std::vector<StageKey> stagesOf(const std::vector<const Pass*>& passes) {
     }
     std::vector<StageKey> keys;
     for (const ShaderUse& use : entryPoints(drawn))
-        keys.push_back(keyOf(*use.shader, stageOf(use.kind)));
+        keys.push_back(keyOf(*use.shader, use.stage));
     return keys;
 }
 
@@ -170,11 +166,11 @@ Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler
     if (const auto checked = drawable(pass); !checked) return checked.error();
     if (pass.computeShader) return compileCompute(effect, pass, compiler, stages);
     PassProgram program;
-    auto vertex = madeOf(effect, keyOf(*pass.vertexShader, Stage::Vertex), compiler, stages);
+    auto vertex = madeOf(effect, keyOf(*pass.vertexShader, ShaderStage::Vertex), compiler, stages);
     if (!vertex) return vertex.error();
     program.vertex = std::move(*vertex);
     if (pass.pixelShader) {
-        auto pixel = madeOf(effect, keyOf(*pass.pixelShader, Stage::Pixel), compiler, stages);
+        auto pixel = madeOf(effect, keyOf(*pass.pixelShader, ShaderStage::Pixel), compiler, stages);
         if (!pixel) return pixel.error();
         program.pixel = std::move(*pixel);
         if (const auto linked = linkStages(program.vertex, *program.pixel); !linked) return linked.error();

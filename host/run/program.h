@@ -37,7 +37,7 @@ using Programs = std::map<const Pass*, std::shared_ptr<const PassProgram>>;
 
 /// A shader by what it is compiled from: `code` is its own, or empty, then it is the effect's.
 struct StageKey {
-    Stage stage;
+    ShaderStage stage;
     std::string_view entry;
     std::string_view code;
     auto operator<=>(const StageKey&) const = default;

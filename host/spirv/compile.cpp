@@ -60,8 +60,8 @@ namespace tegument {
 namespace {
 
 /// Sets of compile.h: what both stages of a pipeline declare must not meet.
-std::uint32_t descriptorSet(Stage stage) {
-    return stage == Stage::Pixel ? 1 : 0;
+std::uint32_t descriptorSet(ShaderStage stage) {
+    return stage == ShaderStage::Pixel ? 1 : 0;
 }
 
 /// Messages then name the file as the request does, also where the code brings no #line of its own.
@@ -83,7 +83,7 @@ std::string cacheKey(const ShaderRequest& request, const std::string& identity) 
     add(spirv::validatorName());
     add(request.entry);
     add(fmt::format("{}", static_cast<int>(request.stage)));
-    if (request.stage == Stage::Compute) add("storage images without formats");
+    if (request.stage == ShaderStage::Compute) add("storage images without formats");
     for (const auto& [name, value] : request.defines) {
         add(name);
         add(value);
@@ -103,7 +103,7 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
                 ? "glslang cannot compile it; DXC can, and is not here: ./bootstrap build fetches it, or set TEGUMENT_DXC"
                 : "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
-    if (request.stage == Stage::Compute && !spirv::forgetStorageFormats(raw.words))
+    if (request.stage == ShaderStage::Compute && !spirv::forgetStorageFormats(raw.words))
         return inputError(3006, {.file = request.file, .byte = {}}, fmt::format("{} writes textures of several types", request.entry),
                           "declare every texture that compute shaders write as RWTexture2D<float4>");
     if (const std::string why = spirv::validate(raw.words); !why.empty()) return invalid(why);

@@ -2,6 +2,7 @@
 // HLSL to SPIR-V by DXC or glslang in process: validated, reflected, cached. Knows nothing of effects, scenes or Vulkan objects.
 
 #include "host/support/result.h"
+#include "host/support/shader_stage.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -14,14 +15,13 @@
 namespace tegument {
 
 enum class Compiler { Dxc, Glslang };
-enum class Stage { Vertex, Pixel, Compute };
 
 /// One entry point of one source. `code` is plain HLSL (effect syntax already blanked out) with `#line` directives.
 struct ShaderRequest {
     std::string_view code;
     std::string file; // for messages
     std::string entry;
-    Stage stage = Stage::Pixel;
+    ShaderStage stage = ShaderStage::Pixel;
     std::vector<std::pair<std::string, std::string>> defines; // in addition to FX_ENTRY=1
     std::vector<std::filesystem::path> includeFolders;        // usually empty: `code` is preprocessed
     bool language2018 = false; // DXC reads HLSL as it was before 2021: `?:` and `&&` on vectors, implicit truncation
@@ -86,7 +86,7 @@ struct Reflection {
 };
 
 struct Shader {
-    Stage stage = Stage::Pixel;
+    ShaderStage stage = ShaderStage::Pixel;
     std::string file;  // as given in the request, for messages
     std::string entry; // the name inside the SPIR-V
     std::vector<std::uint32_t> spirv;

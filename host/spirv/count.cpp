@@ -140,7 +140,7 @@ private:
 
     void addMode() {
         modesDone_ = true;
-        if (stage_ == Stage::Pixel && !module_.testsLate && !module_.testsEarly)
+        if (stage_ == ShaderStage::Pixel && !module_.testsLate && !module_.testsEarly)
             append(out_, spv::OpExecutionMode, {module_.entry, spv::ExecutionModeEarlyFragmentTests});
     }
 
@@ -183,7 +183,7 @@ private:
     }
 
     const Words& source_;
-    Stage stage_;
+    ShaderStage stage_;
     std::uint32_t set_;
     std::uint32_t binding_;
     Module module_;
@@ -215,7 +215,7 @@ std::pair<std::uint32_t, std::uint32_t> freePlace(const Shader& shader) {
         behind(block.binding);
     for (const Resource& resource : shader.reflection.resources)
         behind(resource.binding);
-    return {shader.stage == Stage::Pixel ? 1U : 0U, binding};
+    return {shader.stage == ShaderStage::Pixel ? 1U : 0U, binding};
 }
 
 } // namespace

@@ -145,22 +145,13 @@ private:
     std::atomic<ULONG> references_{1};
 };
 
-const char* profile(Stage stage) {
-    switch (stage) {
-    case Stage::Vertex: return "vs_6_0";
-    case Stage::Pixel: return "ps_6_0";
-    case Stage::Compute: return "cs_6_0";
-    }
-    return "";
-}
-
 // HLSL 2021 makes `?:` and `&&` scalar, as the other compilers' users must not rely on; `-I .` hands names that are not found beside the
 // including file to our own search; -fspv-reflect keeps the semantics. DXIL is signed by a library that exists on Windows only.
 constexpr const char* kFlags[] = {"-HV", "2021", "-Wno-effects-syntax", "-I", ".", "-D", "FX_ENTRY=1"};
 constexpr const char* kSpirvFlags[] = {"-spirv", "-fspv-target-env=vulkan1.1", "-fspv-reflect"};
 
 std::vector<std::wstring> arguments(const ShaderRequest& request, Output output) {
-    std::vector<std::wstring> list{L"-T", wide(profile(request.stage)), L"-E", wide(request.entry)};
+    std::vector<std::wstring> list{L"-T", wide(fmt::format("{}_6_0", stageNames(request.stage).profile)), L"-E", wide(request.entry)};
     for (const char* flag : kFlags)
         list.push_back(wide(request.language2018 && std::string_view(flag) == "2021" ? "2018" : flag));
     if (output == Output::Spirv)
@@ -265,7 +256,7 @@ std::string answerTo(std::string_view message) {
     const std::vector<std::string> parts = unpacked(message);
     if (parts.size() < 5) return {};
     ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .defines = {}, .includeFolders = {}, .language2018 = true};
-    request.stage = static_cast<Stage>(std::atoi(parts[3].c_str()));
+    request.stage = static_cast<ShaderStage>(std::atoi(parts[3].c_str()));
     for (std::size_t i = 5; i + 1 < parts.size(); i += 2)
         request.defines.emplace_back(parts[i], parts[i + 1]);
     IncludeReader includes(request.file, {});

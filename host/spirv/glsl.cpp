@@ -11,10 +11,6 @@ namespace {
 
 constexpr int kLeastVersion = 100; // for a text that names none
 
-EShLanguage language(Stage stage) {
-    return stage == Stage::Vertex ? EShLangVertex : stage == Stage::Pixel ? EShLangFragment : EShLangCompute;
-}
-
 bool parse(glslang::TShader& shader, const std::string& text) {
     const char* string = text.c_str();
     shader.setStrings(&string, 1);
@@ -23,9 +19,9 @@ bool parse(glslang::TShader& shader, const std::string& text) {
 
 } // namespace
 
-std::string checkGlsl(Stage stage, const std::string& text) {
+std::string checkGlsl(ShaderStage stage, const std::string& text) {
     glslang_hlsl::initialise();
-    glslang::TShader shader(language(stage));
+    glslang::TShader shader(static_cast<EShLanguage>(stageNames(stage).model));
     return parse(shader, text) ? "" : shader.getInfoLog();
 }
 

@@ -8,7 +8,7 @@
 namespace tegument {
 
 /// Why the text is no valid GLSL (of the version that it names); empty when it is.
-[[nodiscard]] std::string checkGlsl(Stage stage, const std::string& text);
+[[nodiscard]] std::string checkGlsl(ShaderStage stage, const std::string& text);
 /// Why the two do not make one program; empty when they do.
 [[nodiscard]] std::string checkGlslProgram(const std::string& vertex, const std::string& pixel);
 

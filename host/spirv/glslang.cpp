@@ -15,15 +15,6 @@ namespace tegument::glslang_hlsl {
 
 namespace {
 
-EShLanguage language(Stage stage) {
-    switch (stage) {
-    case Stage::Vertex: return EShLangVertex;
-    case Stage::Pixel: return EShLangFragment;
-    case Stage::Compute: return EShLangCompute;
-    }
-    return EShLangFragment;
-}
-
 class Includer : public glslang::TShader::Includer {
 public:
     Includer(IncludeReader& reader, std::string mainFile) : reader_(reader), mainFile_(std::move(mainFile)) {}
@@ -58,7 +49,7 @@ void configure(glslang::TShader& shader, const ShaderRequest& request, const std
     shader.setPreamble(defines.c_str());
     shader.setEntryPoint(request.entry.c_str());
     shader.setSourceEntryPoint(request.entry.c_str());
-    shader.setEnvInput(glslang::EShSourceHlsl, language(request.stage), glslang::EShClientVulkan, 100);
+    shader.setEnvInput(glslang::EShSourceHlsl, static_cast<EShLanguage>(stageNames(request.stage).model), glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
     shader.setEnvTargetHlslFunctionality1(); // keeps the semantics in the SPIR-V
@@ -97,7 +88,7 @@ bool initialise() {
 Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes) {
     if (!initialise()) return machineError(3002, "glslang could not be initialised");
 
-    glslang::TShader shader(language(request.stage));
+    glslang::TShader shader(static_cast<EShLanguage>(stageNames(request.stage).model));
     const std::array strings{request.code.data()};
     const std::array lengths{static_cast<int>(request.code.size())};
     const std::array names{request.file.c_str()};
@@ -116,7 +107,8 @@ Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes)
     glslang::SpvOptions options;
     options.disableOptimizer = false; // its HLSL output is legal for Vulkan, and free of dead code, only after spirv-opt's passes
     spv::SpvBuildLogger logger;
-    glslang::GlslangToSpv(*program.getIntermediate(language(request.stage)), raw.words, &logger, &options);
+    glslang::GlslangToSpv(*program.getIntermediate(static_cast<EShLanguage>(stageNames(request.stage).model)), raw.words, &logger,
+                          &options);
     raw.warnings = shortened(readGlslangMessages(shader.getInfoLog(), request.code, request.file).warnings);
     return raw;
 }

@@ -206,7 +206,7 @@ Result<void> readStageVariable(const Reader& module, const Declared& variable, b
     return {};
 }
 
-Result<Reflection> readAll(const Reader& module, const std::vector<Descriptor>& descriptors, Stage stage, const std::string& file) {
+Result<Reflection> readAll(const Reader& module, const std::vector<Descriptor>& descriptors, ShaderStage stage, const std::string& file) {
     Reflection reflection;
     for (const Descriptor& descriptor : descriptors)
         if (const auto read = readDescriptor(module, descriptor, file, reflection); !read) return read.error();
@@ -215,7 +215,7 @@ Result<Reflection> readAll(const Reader& module, const std::vector<Descriptor>& 
         if (const auto read = readStageVariable(module, input, true, file, reflection.inputs); !read) return read.error();
     for (const Declared& output : all.stage_outputs)
         if (const auto read = readStageVariable(module, output, false, file, reflection.outputs); !read) return read.error();
-    for (std::uint32_t i = 0; stage == Stage::Compute && i < 3; ++i)
+    for (std::uint32_t i = 0; stage == ShaderStage::Compute && i < 3; ++i)
         reflection.localSize[i] = module.get_execution_mode_argument(spv::ExecutionModeLocalSize, i);
     std::ranges::sort(reflection.inputs, {}, &StageVariable::location);
     std::ranges::sort(reflection.outputs, {}, &StageVariable::location);
@@ -236,7 +236,7 @@ std::string canonicalSemantic(std::string_view written, std::uint32_t element) {
     return fmt::format("{}{}", name, index + element);
 }
 
-Result<Reflection> reflect(std::vector<std::uint32_t>& words, Stage stage, std::uint32_t set, const std::string& file) {
+Result<Reflection> reflect(std::vector<std::uint32_t>& words, ShaderStage stage, std::uint32_t set, const std::string& file) {
     try {
         const Reader module(words);
         std::vector<Descriptor> found = descriptors(module);

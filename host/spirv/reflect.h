@@ -13,7 +13,7 @@ namespace tegument::spirv {
 /// Numbers the descriptors in the order that compile.h promises ($Globals 0, constant buffers by name, then all else by name), inside the
 /// words too, and reads blocks, resources and stage variables. The module is valid and still has its semantics. TG3003 for what SPIRV-Cross
 /// cannot read, TG3006 for what a Reflection cannot express.
-[[nodiscard]] Result<Reflection> reflect(std::vector<std::uint32_t>& words, Stage stage, std::uint32_t set, const std::string& file);
+[[nodiscard]] Result<Reflection> reflect(std::vector<std::uint32_t>& words, ShaderStage stage, std::uint32_t set, const std::string& file);
 
 /// Whether a vertex shader has the position among its outputs.
 [[nodiscard]] bool writesPosition(std::span<const std::uint32_t> words);

@@ -28,7 +28,7 @@ std::vector<fs::path> effects() {
     return files;
 }
 
-Result<Shader> compiled(const Effect& effect, const ShaderReference& shader, Stage stage) {
+Result<Shader> compiled(const Effect& effect, const ShaderReference& shader, ShaderStage stage) {
     if (shader.obstacle) return Error{Blame::Input, {*shader.obstacle}};
     return compileShader({.code = shader.code,
                           .file = effect.file.string(),
@@ -52,10 +52,10 @@ TEST_P(ForeignEffects, compile_in_every_pass_and_their_stages_meet) {
             if (pass.geometryShader || pass.hullShader || pass.domainShader || pass.streamOutput) continue; // drawing says TG4003
             if (pass.assemblyShaders > 0) continue;
             ASSERT_TRUE(pass.vertexShader) << pass.name;
-            const auto vertex = compiled(adoption.effect, *pass.vertexShader, Stage::Vertex);
+            const auto vertex = compiled(adoption.effect, *pass.vertexShader, ShaderStage::Vertex);
             ASSERT_TRUE(vertex) << format(vertex.error()) << pass.vertexShader->code;
             if (!pass.pixelShader) continue;
-            auto pixel = compiled(adoption.effect, *pass.pixelShader, Stage::Pixel);
+            auto pixel = compiled(adoption.effect, *pass.pixelShader, ShaderStage::Pixel);
             ASSERT_TRUE(pixel) << format(pixel.error()) << pass.pixelShader->code;
             const auto linked = linkStages(*vertex, *pixel);
             EXPECT_TRUE(linked) << format(linked.error());
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ForeignEffects, testing::ValuesIn(effects()), fi
 TEST(ForeignMessages, name_the_authors_line) {
     if (const std::string missing = compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     const Effect effect = adopted(foreign("float a;\n\n\nfloat4 PS() : COLOR\n{\n    return nowhere;\n}\n" + kRest)).effect;
-    const auto pixel = compiled(effect, *effect.techniques[0].passes[0].pixelShader, Stage::Pixel);
+    const auto pixel = compiled(effect, *effect.techniques[0].passes[0].pixelShader, ShaderStage::Pixel);
     ASSERT_FALSE(pixel);
     EXPECT_EQ(pixel.error().diagnostics[0].at.line, 6) << format(pixel.error());
     EXPECT_EQ(pixel.error().diagnostics[0].at.file, "main.fx");
@@ -129,7 +129,7 @@ TEST(ForeignSamplers, of_each_generation_are_read_by_the_functions_of_both) {
                     std::string(read) +
                     "; }\ntechnique11 T { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); "
                     "SetPixelShader(CompileShader(ps_4_0, PS())); } }"));
-        const auto pixel = compiled(adoption.effect, *adoption.effect.techniques[0].passes[0].pixelShader, Stage::Pixel);
+        const auto pixel = compiled(adoption.effect, *adoption.effect.techniques[0].passes[0].pixelShader, ShaderStage::Pixel);
         EXPECT_TRUE(pixel) << read << "\n" << format(pixel.error());
     }
 }

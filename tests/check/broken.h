@@ -2,6 +2,7 @@
 // tests/check/broken: effects with one mistake each. A mark at the end of a line says what that line must be blamed for:
 //     //~ TG1001                                  the front end, hence every target
 //     //~ fx_2_0 sm5 TG3101, spirv-dxc TG3001     these targets; every other target must not fail
+//     //~ fx_2_0 sm5 TG3101, else TG3001          all that the line has not named before
 
 #include "host/support/file.h"
 #include "tools/check/check.h"
@@ -31,9 +32,13 @@ inline std::vector<Expected> expectedOf(const std::filesystem::path& file) {
         if (mark == std::string::npos) continue;
         std::istringstream words(line.substr(mark + 4));
         std::vector<std::string> targets;
+        std::vector<Target> left = allTargets();
         for (std::string word; words >> word;) {
             if (!word.starts_with("TG")) {
-                targets.push_back(word);
+                if (word != "else") targets.push_back(word);
+                for (const Target target : left)
+                    if (word == "else") targets.emplace_back(targetName(target));
+                std::erase_if(left, [&](Target target) { return targetName(target) == word; });
                 continue;
             }
             if (targets.empty()) targets.emplace_back();

@@ -67,8 +67,8 @@ technique T { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = co
 )";
 
 TEST(Targets, have_the_names_of_the_command_line) {
-    EXPECT_EQ(targetsByName("all").size(), kAllTargets.size());
-    for (const Target target : kAllTargets)
+    EXPECT_EQ(targetsByName("all"), allTargets());
+    for (const Target target : allTargets())
         EXPECT_EQ(targetsByName(targetName(target)), std::vector{target});
     EXPECT_TRUE(targetsByName("fx_3_0").empty());
 }
@@ -148,15 +148,14 @@ TEST_F(Check, arguments_of_a_pass_are_compiled_and_not_passed_over) {
 }
 
 TEST_F(Check, a_file_that_the_front_end_refuses_fails_on_every_target) {
-    const FileReport report =
-        checkOne(effect("broken.fx", "technique { pass P { NoSuchState = 1; } }"), {kAllTargets.begin(), kAllTargets.end()});
+    const FileReport report = checkOne(effect("broken.fx", "technique { pass P { NoSuchState = 1; } }"), allTargets());
     EXPECT_FALSE(report.diagnostics.empty());
     for (const TargetCheck& target : report.targets)
         EXPECT_EQ(target.verdict, Verdict::Failed);
 }
 
 TEST_F(Check, a_missing_file_fails_on_every_target) {
-    const FileReport report = checkOne("nowhere.fx", {kAllTargets.begin(), kAllTargets.end()});
+    const FileReport report = checkOne("nowhere.fx", allTargets());
     ASSERT_EQ(report.diagnostics.size(), 1U);
     EXPECT_EQ(report.diagnostics[0].code, 5001);
     for (const TargetCheck& target : report.targets)
@@ -208,7 +207,7 @@ TEST(CheckReport, fails_with_one_target_and_is_incomplete_with_one_unchecked) {
 std::set<std::string> vertexInputs(const FileReport& file) {
     std::set<std::string> semantics;
     for (const EntryPoint& entry : file.entries)
-        if (entry.kind == ShaderKind::Vertex && entry.glslang)
+        if (entry.stage == ShaderStage::Vertex && entry.glslang)
             for (const StageVariable& input : entry.glslang->reflection.inputs)
                 semantics.insert(input.semantic);
     return semantics;

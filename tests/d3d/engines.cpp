@@ -149,8 +149,8 @@ Result<void> emitAll(const std::vector<Case>& cases) {
         if (!done.insert(drawn.effectName()).second) continue;
         CheckOptions options{.variants = {{.name = {}, .defines = drawn.defines(), .setting = {}}}, .includeFolders = drawn.includeFolders};
         const CheckReport report = checkEffects({drawn.effect}, {Target::Sm5}, options);
-        const auto written = emitEffect(
-            report.files.at(0), {.folder = drawings() / (drawn.effectName() + ".emitted"), .kinds = {EmitKind::Sm5}, .defines = {}});
+        const auto written = emitEffect(report.files.at(0),
+                                        {.folder = drawings() / (drawn.effectName() + ".emitted"), .kinds = {Target::Sm5}, .defines = {}});
         if (!written) return written.error();
     }
     return {};

@@ -59,7 +59,7 @@ std::string runDirect3D12() {
     const CheckReport report =
         checkEffects({"effects/Stretch.fx", "effects/EnergyAttenuation.fx", "effects/Main.fx"}, {Target::Sm5}, options);
     for (const FileReport& file : report.files)
-        if (const auto written = emitEffect(file, {.folder = kFolder / "emitted", .kinds = {EmitKind::Sm5}, .defines = {}}); !written)
+        if (const auto written = emitEffect(file, {.folder = kFolder / "emitted", .kinds = {Target::Sm5}, .defines = {}}); !written)
             return format(written.error());
     std::error_code code;
     const fs::path program = kFolder / "d3d12_sample.exe";

@@ -59,10 +59,10 @@ private:
 };
 
 TEST(EmitKinds, have_the_names_of_the_command_line) {
-    EXPECT_EQ(emitKindsByName("all").size(), kAllEmitKinds.size());
-    for (const EmitKind kind : kAllEmitKinds)
-        EXPECT_EQ(emitKindsByName(emitKindName(kind)), std::vector{kind});
-    EXPECT_TRUE(emitKindsByName("hlsl").empty());
+    EXPECT_EQ(targetsByName("all", true).size(), kTargets.size());
+    for (const TargetRow& row : kTargets)
+        EXPECT_EQ(targetsByName(row.name, true), std::vector{row.target});
+    EXPECT_TRUE(targetsByName("hlsl", true).empty());
 }
 
 TEST(Translation, of_every_shader_of_both_compilers_in_every_setting_is_glsl_and_msl) {
@@ -73,11 +73,11 @@ TEST(Translation, of_every_shader_of_both_compilers_in_every_setting_is_glsl_and
             for (const auto* shader : {&entry.dxc, &entry.glslang}) {
                 if (!*shader) continue;
                 ++shaders;
-                for (const CrossLanguage language : {CrossLanguage::Glsl, CrossLanguage::GlslEs, CrossLanguage::Msl}) {
-                    if (entry.kind == ShaderKind::Compute && language != CrossLanguage::Msl) continue; // GLSL 330 has none
+                for (const Target language : {Target::Glsl, Target::GlslEs, Target::Msl}) {
+                    if (entry.stage == ShaderStage::Compute && language != Target::Msl) continue; // GLSL 330 has none
                     const auto text = crossCompile(**shader, language, {});
                     ASSERT_TRUE(text) << format(text.error());
-                    if (language == CrossLanguage::Msl) continue;
+                    if (language == Target::Msl) continue;
                     EXPECT_EQ(checkGlsl((*shader)->stage, text->text), "") << file.file << " " << entry.name;
                 }
             }
@@ -164,7 +164,7 @@ TEST_F(Emit, a_manifest_says_what_is_missing_without_this_machine_s_folders) {
     const fs::path empty = folder() / "cache"; // which holds no compiler
     const Variable cache("TEGUMENT_CACHE", empty.string());
     const Variable compiler("TEGUMENT_D3DCOMPILER", "");
-    const json missing = manifestOf(emit(checkEffects({"effects/TSM.fx"}, {kAllTargets.begin(), kAllTargets.end()})))["missing"];
+    const json missing = manifestOf(emit(checkEffects({"effects/TSM.fx"}, allTargets())))["missing"];
     EXPECT_FALSE(missing.empty());
     for (const json& one : missing)
         EXPECT_EQ(one["reason"].get<std::string>().find(empty.string()), std::string::npos) << one;
@@ -172,7 +172,7 @@ TEST_F(Emit, a_manifest_says_what_is_missing_without_this_machine_s_folders) {
 
 TEST_F(Emit, only_the_chosen_kinds_are_written) {
     const CheckReport report = checkEffects({"effects/TSM.fx"}, spirvTargets());
-    for (const auto& [name, bytes] : filesIn(emit(report, {.folder = {}, .kinds = {EmitKind::SpirvGlslang}, .defines = {}})))
+    for (const auto& [name, bytes] : filesIn(emit(report, {.folder = {}, .kinds = {Target::SpirvGlslang}, .defines = {}})))
         EXPECT_TRUE(name == "manifest.json" || name.starts_with("spirv-glslang/")) << name;
 }
 
@@ -222,36 +222,37 @@ TEST_F(Emit, what_was_written_before_is_replaced_whole) {
 /// A pixel shader that reads two of four components.
 Shader narrowPixel() {
     constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return float4(uv, 0, 1); }\n";
-    auto shader = compileShader(
-        {.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {}}, Compiler::Glslang);
+    auto shader =
+        compileShader({.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = ShaderStage::Pixel, .defines = {}, .includeFolders = {}},
+                      Compiler::Glslang);
     EXPECT_TRUE(shader);
     return shader ? *shader : Shader{};
 }
 
 /// What a pixel shader that reads two components declares where the vertex shader writes so many.
-void expectDeclared(CrossLanguage language, std::uint32_t components, const std::string& declaration) {
+void expectDeclared(Target language, std::uint32_t components, const std::string& declaration) {
     const Shader pixel = narrowPixel();
     const auto text = crossCompile(pixel, language, {{0, {.semantic = "TEXCOORD0", .location = 0, .components = components}}});
     ASSERT_TRUE(text) << format(text.error());
     EXPECT_NE(text->text.find(declaration), std::string::npos) << text->text;
-    if (language == CrossLanguage::Msl) return;
-    EXPECT_EQ(checkGlsl(Stage::Pixel, text->text), "") << text->text;
+    if (language == Target::Msl) return;
+    EXPECT_EQ(checkGlsl(ShaderStage::Pixel, text->text), "") << text->text;
 }
 
 TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
-    expectDeclared(CrossLanguage::Glsl, 4, "in vec4 varying_TEXCOORD0;");
-    expectDeclared(CrossLanguage::GlslEs, 4, "in vec4 varying_TEXCOORD0;");
-    expectDeclared(CrossLanguage::Msl, 4, "float4 varying_TEXCOORD0 [[user(locn0)]];");
+    expectDeclared(Target::Glsl, 4, "in vec4 varying_TEXCOORD0;");
+    expectDeclared(Target::GlslEs, 4, "in vec4 varying_TEXCOORD0;");
+    expectDeclared(Target::Msl, 4, "float4 varying_TEXCOORD0 [[user(locn0)]];");
 }
 
 TEST(WholeInputs, leave_a_shader_alone_that_reads_everything) {
-    expectDeclared(CrossLanguage::Glsl, 2, "in vec2 varying_TEXCOORD0;");
-    expectDeclared(CrossLanguage::Msl, 2, "float2 varying_TEXCOORD0 [[user(locn0)]];");
+    expectDeclared(Target::Glsl, 2, "in vec2 varying_TEXCOORD0;");
+    expectDeclared(Target::Msl, 2, "float2 varying_TEXCOORD0 [[user(locn0)]];");
 }
 
 TEST(Translation, of_words_that_are_no_module_is_an_error) {
-    const Shader broken{.stage = Stage::Pixel, .file = "broken.fx", .entry = "PS", .spirv = {1, 2, 3}};
-    for (const CrossLanguage language : {CrossLanguage::Glsl, CrossLanguage::GlslEs, CrossLanguage::Msl}) {
+    const Shader broken{.stage = ShaderStage::Pixel, .file = "broken.fx", .entry = "PS", .spirv = {1, 2, 3}};
+    for (const Target language : {Target::Glsl, Target::GlslEs, Target::Msl}) {
         const auto text = crossCompile(broken, language, {});
         ASSERT_FALSE(text);
         EXPECT_EQ(text.error().diagnostics[0].code, 3302);
@@ -261,8 +262,8 @@ TEST(Translation, of_words_that_are_no_module_is_an_error) {
 TEST(Glsl, two_stages_that_do_not_meet_make_no_program) {
     const std::string vertex = "#version 330\nout vec2 uv;\nvoid main() { uv = vec2(0.0); gl_Position = vec4(0.0); }\n";
     const std::string pixel = "#version 330\nin vec3 uv;\nlayout(location = 0) out vec4 color;\nvoid main() { color = uv.xyzz; }\n";
-    EXPECT_EQ(checkGlsl(Stage::Vertex, vertex), "");
-    EXPECT_EQ(checkGlsl(Stage::Pixel, pixel), "");
+    EXPECT_EQ(checkGlsl(ShaderStage::Vertex, vertex), "");
+    EXPECT_EQ(checkGlsl(ShaderStage::Pixel, pixel), "");
     EXPECT_NE(checkGlslProgram(vertex, pixel), "");
 }
 
@@ -272,7 +273,7 @@ protected:
         if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
         const CheckReport checked = checkEffects({"effects/Pyramid.fx"}, {Target::Dxil});
         report_ = checked.files.at(0);
-        const auto written = emitEffect(report_, {.folder = folder_, .kinds = {EmitKind::Dxil}, .defines = {}});
+        const auto written = emitEffect(report_, {.folder = folder_, .kinds = {Target::Dxil}, .defines = {}});
         ASSERT_TRUE(written) << format(written.error());
         written_ = *written;
         manifest_ = json::parse(*readFile(written_ / "manifest.json"));
@@ -283,7 +284,7 @@ protected:
         return *std::ranges::find_if(manifest_["shaders"], [&](const json& one) { return one["name"] == name; });
     }
     /// The entry point again, with this root signature in front of it.
-    [[nodiscard]] bool serves(const std::string& name, Stage stage, const std::string& signature) const {
+    [[nodiscard]] bool serves(const std::string& name, ShaderStage stage, const std::string& signature) const {
         const std::string entry = shader(name)["entry"];
         const std::regex definition(fmt::format("\\b((?:void|float4|[A-Z]\\w*)\\s+{}\\s*\\()", entry));
         const std::string code = std::regex_replace(report_.effect.code, definition, fmt::format("[RootSignature(\"{}\")] $1", signature));
@@ -303,8 +304,8 @@ private:
     fs::path folder_ = fs::temp_directory_path() / fmt::format("tegument-dxil-emit-{}", ::getpid());
 };
 
-constexpr std::pair<const char*, Stage> kStages[] = {
-    {"vertex_shader", Stage::Vertex}, {"pixel_shader", Stage::Pixel}, {"compute_shader", Stage::Compute}};
+constexpr std::pair<const char*, ShaderStage> kStages[] = {
+    {"vertex_shader", ShaderStage::Vertex}, {"pixel_shader", ShaderStage::Pixel}, {"compute_shader", ShaderStage::Compute}};
 
 TEST_F(DxilEmit, the_root_signature_of_every_pass_binds_what_its_shaders_read) {
     int held = 0;
@@ -325,15 +326,14 @@ TEST_F(DxilEmit, a_root_signature_with_a_texture_less_is_refused) {
     std::smatch count;
     ASSERT_TRUE(std::regex_search(whole, count, textures)) << whole;
     const std::string less = std::regex_replace(whole, textures, fmt::format("SRV(t0, numDescriptors={})", std::stoi(count[1].str()) - 1));
-    EXPECT_FALSE(serves(pass["pixel_shader"], Stage::Pixel, less));
+    EXPECT_FALSE(serves(pass["pixel_shader"], ShaderStage::Pixel, less));
 }
 
 /// Shader model 5 for Direct3D 11 and 12, model 6 for 12: two compilers, one signature.
 TEST_F(DxilEmit, the_same_root_signature_serves_shader_model_5) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     const CheckReport checked = checkEffects({"effects/Pyramid.fx"}, {Target::Sm5});
-    const auto written =
-        emitEffect(checked.files.at(0), {.folder = written_.parent_path() / "sm5", .kinds = {EmitKind::Sm5}, .defines = {}});
+    const auto written = emitEffect(checked.files.at(0), {.folder = written_.parent_path() / "sm5", .kinds = {Target::Sm5}, .defines = {}});
     ASSERT_TRUE(written) << format(written.error());
     const json other = json::parse(*readFile(*written / "manifest.json"));
     for (std::size_t t = 0; t < manifest_["techniques"].size(); ++t)

@@ -116,7 +116,7 @@ float4 FunctionPS(float4 position : SV_Position) : SV_Target0
     return code;
 }
 
-Result<Shader> compile(const FunctionCase& function, const std::string& code, Stage stage, const std::string& entry, int setting,
+Result<Shader> compile(const FunctionCase& function, const std::string& code, ShaderStage stage, const std::string& entry, int setting,
                        Compiler compiler) {
     ShaderRequest request{
         .code = code, .file = "effects/function_test.hlsl", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
@@ -477,12 +477,12 @@ glm::dvec4 TestMap::at(glm::dvec2 uv) const {
 
 Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, int setting, const Samples& samples, Compiler compiler) {
     const Grid grid(samples, function.perQuad);
-    const auto vertex = compile(function, kVertexShader, Stage::Vertex, "ScreenVS", setting, compiler);
+    const auto vertex = compile(function, kVertexShader, ShaderStage::Vertex, "ScreenVS", setting, compiler);
     if (!vertex) return vertex.error();
     auto code = source(function, setting);
     if (!code) return code.error();
     const auto pixel =
-        compile(function, pixelShader(std::move(*code), function, samples, grid), Stage::Pixel, "FunctionPS", setting, compiler);
+        compile(function, pixelShader(std::move(*code), function, samples, grid), ShaderStage::Pixel, "FunctionPS", setting, compiler);
     if (!pixel) return pixel.error();
     auto draw = prepare(device, function, samples, grid, *pixel);
     if (!draw) return draw.error();

@@ -72,7 +72,7 @@ TEST_P(LibrarySpirv, compiles) {
     const auto shader = compileShader({.code = *code,
                                        .file = client("model4.hlsl").string(),
                                        .entry = "main",
-                                       .stage = Stage::Pixel,
+                                       .stage = ShaderStage::Pixel,
                                        .defines = {},
                                        .includeFolders = {}},
                                       GetParam());

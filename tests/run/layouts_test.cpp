@@ -31,18 +31,18 @@ std::vector<std::string> effectFiles() {
     return files;
 }
 
-std::set<std::pair<std::string, Stage>> entryPoints(const Effect& effect) {
-    std::set<std::pair<std::string, Stage>> entries;
+std::set<std::pair<std::string, ShaderStage>> entryPoints(const Effect& effect) {
+    std::set<std::pair<std::string, ShaderStage>> entries;
     for (const Technique& technique : effect.techniques)
         for (const Pass& pass : technique.passes) {
-            if (pass.vertexShader) entries.emplace(pass.vertexShader->entry, Stage::Vertex);
-            if (pass.pixelShader) entries.emplace(pass.pixelShader->entry, Stage::Pixel);
-            if (pass.computeShader) entries.emplace(pass.computeShader->entry, Stage::Compute);
+            if (pass.vertexShader) entries.emplace(pass.vertexShader->entry, ShaderStage::Vertex);
+            if (pass.pixelShader) entries.emplace(pass.pixelShader->entry, ShaderStage::Pixel);
+            if (pass.computeShader) entries.emplace(pass.computeShader->entry, ShaderStage::Compute);
         }
     return entries;
 }
 
-void compare(const Effect& effect, const std::string& entry, Stage stage) {
+void compare(const Effect& effect, const std::string& entry, ShaderStage stage) {
     SCOPED_TRACE(entry);
     const ShaderRequest request{
         .code = effect.code, .file = effect.file.string(), .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};

@@ -17,7 +17,7 @@ protected:
     [[nodiscard]] Shader compile(std::string_view code = kCode,
                                  const std::vector<std::pair<std::string, std::string>>& defines = {}) const {
         auto shader = compileShader(
-            {.code = code, .file = "test.fx", .entry = "PS", .stage = Stage::Pixel, .defines = defines, .includeFolders = {folder()}},
+            {.code = code, .file = "test.fx", .entry = "PS", .stage = ShaderStage::Pixel, .defines = defines, .includeFolders = {folder()}},
             Compiler::Glslang);
         if (shader) return std::move(*shader);
         ADD_FAILURE() << format(shader.error());
@@ -131,9 +131,9 @@ TEST_F(Cache, errors_are_not_cached) {
 TEST_F(Cache, both_compilers_have_entries_of_their_own) {
     if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     (void)compile();
-    ASSERT_TRUE(
-        compileShader({.code = kCode, .file = "test.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {folder()}},
-                      Compiler::Dxc));
+    ASSERT_TRUE(compileShader(
+        {.code = kCode, .file = "test.fx", .entry = "PS", .stage = ShaderStage::Pixel, .defines = {}, .includeFolders = {folder()}},
+        Compiler::Dxc));
     EXPECT_EQ(entries().size(), 2U);
 }
 

@@ -39,34 +39,34 @@ using Compile = EachCompiler;
 INSTANTIATE_TEST_SUITE_P(By, Compile, testing::Values(Compiler::Dxc, Compiler::Glslang), compilerTestName);
 
 TEST_P(Compile, the_entry_point_keeps_its_name_in_the_spirv) {
-    const Shader shader = compile(kTextured, "PS", Stage::Pixel);
+    const Shader shader = compile(kTextured, "PS", ShaderStage::Pixel);
     const auto entries = spirv_cross::Compiler(shader.spirv).get_entry_points_and_stages();
     ASSERT_EQ(entries.size(), 1U);
     EXPECT_EQ(entries[0].name, "PS");
 }
 
 TEST_P(Compile, no_extension_is_left_that_a_vulkan_device_need_not_have) {
-    const Shader shader = compile(kTextured, "VS", Stage::Vertex);
+    const Shader shader = compile(kTextured, "VS", ShaderStage::Vertex);
     const spirv_cross::Compiler reader(shader.spirv);
     for (const std::string& extension : reader.get_declared_extensions())
         ADD_FAILURE() << extension;
 }
 
 TEST_P(Compile, stages_of_a_pipeline_use_different_descriptor_sets) {
-    for (const auto& [set, binding] : places(compile(kTextured, "VS", Stage::Vertex)))
+    for (const auto& [set, binding] : places(compile(kTextured, "VS", ShaderStage::Vertex)))
         EXPECT_EQ(set, 0U) << binding;
-    for (const auto& [set, binding] : places(compile(kTextured, "PS", Stage::Pixel)))
+    for (const auto& [set, binding] : places(compile(kTextured, "PS", ShaderStage::Pixel)))
         EXPECT_EQ(set, 1U) << binding;
 }
 
 TEST_P(Compile, bindings_within_a_stage_are_unique) {
-    const auto all = places(compile(kTextured, "PS", Stage::Pixel));
+    const auto all = places(compile(kTextured, "PS", ShaderStage::Pixel));
     ASSERT_EQ(all.size(), 3U);
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
 }
 
 TEST_P(Compile, the_bindings_in_the_spirv_are_those_of_the_reflection) {
-    const Shader shader = compile(kTextured, "PS", Stage::Pixel);
+    const Shader shader = compile(kTextured, "PS", ShaderStage::Pixel);
     const spirv_cross::Compiler module(shader.spirv);
     const spirv_cross::ShaderResources all = module.get_shader_resources();
     std::size_t seen = 0;
@@ -82,7 +82,7 @@ TEST_P(Compile, the_bindings_in_the_spirv_are_those_of_the_reflection) {
 }
 
 TEST_P(Compile, code_that_cannot_run_uses_nothing) {
-    const Shader shader = compile(kTextured, "PS", Stage::Pixel);
+    const Shader shader = compile(kTextured, "PS", ShaderStage::Pixel);
     ASSERT_NE(member(shader, "gTint"), nullptr);
     EXPECT_TRUE(member(shader, "gTint")->used);
     EXPECT_FALSE(member(shader, "gUnusedTint")->used);
@@ -92,11 +92,11 @@ TEST_P(Compile, code_that_cannot_run_uses_nothing) {
 }
 
 TEST_P(Compile, stage_variables_carry_their_semantics_and_system_values_are_left_out) {
-    const Shader vertex = compile(kTextured, "VS", Stage::Vertex);
+    const Shader vertex = compile(kTextured, "VS", ShaderStage::Vertex);
     EXPECT_EQ(locations(vertex.reflection.inputs),
               (std::map<std::string, std::uint32_t>{{"POSITION0", 0}, {"TEXCOORD0", 1}, {"NORMAL0", 3}}));
     EXPECT_EQ(locations(vertex.reflection.outputs), (std::map<std::string, std::uint32_t>{{"TEXCOORD0", 0}, {"NORMAL0", 1}}));
-    const Shader pixel = compile(kTextured, "PS", Stage::Pixel);
+    const Shader pixel = compile(kTextured, "PS", ShaderStage::Pixel);
     EXPECT_EQ(locations(pixel.reflection.inputs), (std::map<std::string, std::uint32_t>{{"TEXCOORD0", 0}}));
     EXPECT_EQ(locations(pixel.reflection.outputs), (std::map<std::string, std::uint32_t>{{"SV_TARGET0", 0}}));
 }
@@ -104,7 +104,7 @@ TEST_P(Compile, stage_variables_carry_their_semantics_and_system_values_are_left
 TEST_P(Compile, every_target_of_a_pixel_shader_is_an_output) {
     const Shader shader = compile("struct O { float4 a : SV_Target0; float2 b : SV_Target2; float d : SV_Depth; };"
                                   "O PS() { O o; o.a = 1; o.b = 2; o.d = 0.5; return o; }",
-                                  "PS", Stage::Pixel);
+                                  "PS", ShaderStage::Pixel);
     EXPECT_EQ(locations(shader.reflection.outputs), (std::map<std::string, std::uint32_t>{{"SV_TARGET0", 0}, {"SV_TARGET2", 2}}));
 }
 
@@ -113,7 +113,7 @@ TEST_P(Compile, arrays_and_matrices_count_their_elements_as_semantics) {
         "struct V { float4 p : SV_Position; float3x3 frame : TEXCOORD2; float2 uv[3] : TEXCOORD7; };"
         "V VS(float3 p : POSITION) { V o; o.p = float4(p, 1); o.frame = (float3x3)p.x; o.uv[0] = 0; o.uv[1] = 1; o.uv[2] = 2; return o; }"
         "float4 PS(V v) : SV_Target { return float4(v.frame[1], v.uv[1].x); }",
-        "VS", Stage::Vertex);
+        "VS", ShaderStage::Vertex);
     EXPECT_EQ(locations(shader.reflection.outputs),
               (std::map<std::string, std::uint32_t>{
                   {"TEXCOORD2", 0}, {"TEXCOORD3", 1}, {"TEXCOORD4", 2}, {"TEXCOORD7", 3}, {"TEXCOORD8", 4}, {"TEXCOORD9", 5}}));
@@ -124,7 +124,7 @@ TEST_P(Compile, kinds_of_resources_are_told_apart) {
         "Texture2D gPlain; TextureCube gCube; Texture3D gVolume; SamplerState gSampler; Texture2D gShadow; SamplerComparisonState gCompare;"
         "float4 PS(float3 uv : TEXCOORD0) : SV_Target { return gPlain.Sample(gSampler, uv.xy) + gCube.Sample(gSampler, uv) + "
         "gVolume.Sample(gSampler, uv) + gShadow.SampleCmpLevelZero(gCompare, uv.xy, 0.5); }",
-        "PS", Stage::Pixel);
+        "PS", ShaderStage::Pixel);
     const std::map<std::string, ResourceKind> expected{{"gPlain", ResourceKind::Texture2D},  {"gCube", ResourceKind::TextureCube},
                                                        {"gVolume", ResourceKind::Texture3D}, {"gSampler", ResourceKind::Sampler},
                                                        {"gShadow", ResourceKind::Texture2D}, {"gCompare", ResourceKind::CompareSampler}};
@@ -141,7 +141,7 @@ TEST_P(Compile, compute_shaders_have_their_group_size_and_buffers) {
     const Shader shader =
         compile("StructuredBuffer<float4> gIn; RWStructuredBuffer<float4> gOut; RWTexture2D<float4> gImage;"
                 "[numthreads(8, 4, 2)] void CS(uint3 id : SV_DispatchThreadID) { gOut[id.x] = gIn[id.x] * 2; gImage[id.xy] = 1; }",
-                "CS", Stage::Compute);
+                "CS", ShaderStage::Compute);
     EXPECT_EQ(shader.reflection.localSize[0], 8U);
     EXPECT_EQ(shader.reflection.localSize[1], 4U);
     EXPECT_EQ(shader.reflection.localSize[2], 2U);
@@ -155,14 +155,14 @@ TEST_P(Compile, compute_shaders_have_their_group_size_and_buffers) {
 }
 
 TEST_P(Compile, a_default_value_is_no_warning) {
-    const Shader shader = compile("float4 gTint = { 1, 2, 3, 4 }; float4 PS() : SV_Target { return gTint; }", "PS", Stage::Pixel);
+    const Shader shader = compile("float4 gTint = { 1, 2, 3, 4 }; float4 PS() : SV_Target { return gTint; }", "PS", ShaderStage::Pixel);
     for (const Diagnostic& warning : shader.warnings)
         ADD_FAILURE() << format(warning);
 }
 
 TEST_P(Compile, errors_name_the_file_and_line_of_the_line_directive) {
     const auto shader =
-        tryCompile("#line 40 \"effects/My Skin.fx\"\nfloat4 PS() : SV_Target\n{\n    return undeclared;\n}\n", "PS", Stage::Pixel);
+        tryCompile("#line 40 \"effects/My Skin.fx\"\nfloat4 PS() : SV_Target\n{\n    return undeclared;\n}\n", "PS", ShaderStage::Pixel);
     ASSERT_FALSE(shader);
     EXPECT_EQ(shader.error().blame, Blame::Input);
     const Diagnostic& first = shader.error().diagnostics.front();
@@ -175,7 +175,7 @@ TEST_P(Compile, errors_name_the_file_and_line_of_the_line_directive) {
 }
 
 TEST_P(Compile, errors_without_line_directive_name_the_request_s_file) {
-    const auto shader = tryCompile("float4 PS() : SV_Target { return undeclared; }", "PS", Stage::Pixel);
+    const auto shader = tryCompile("float4 PS() : SV_Target { return undeclared; }", "PS", ShaderStage::Pixel);
     ASSERT_FALSE(shader);
     EXPECT_EQ(shader.error().diagnostics.front().at.file, "test.fx");
     EXPECT_EQ(shader.error().diagnostics.front().at.line, 1);
@@ -185,13 +185,13 @@ TEST_P(Compile, at_most_twenty_errors_are_shown_and_the_rest_is_counted) {
     std::string code;
     for (int i = 0; i < 40; ++i)
         code += "float f" + std::to_string(i) + "() { return undeclared" + std::to_string(i) + "; }\n";
-    const auto shader = tryCompile(code + "float4 PS() : SV_Target { return 0; }", "PS", Stage::Pixel);
+    const auto shader = tryCompile(code + "float4 PS() : SV_Target { return 0; }", "PS", ShaderStage::Pixel);
     ASSERT_FALSE(shader);
     EXPECT_LE(shader.error().diagnostics.size(), 21U);
 }
 
 TEST_P(Compile, a_missing_entry_point_is_one_error_that_names_it) {
-    const auto shader = tryCompile("float4 PS() : SV_Target { return 0; }", "Nowhere", Stage::Pixel);
+    const auto shader = tryCompile("float4 PS() : SV_Target { return 0; }", "Nowhere", ShaderStage::Pixel);
     ASSERT_FALSE(shader);
     ASSERT_EQ(shader.error().diagnostics.size(), 1U);
     EXPECT_NE(shader.error().diagnostics[0].text.find("Nowhere"), std::string::npos);
@@ -200,12 +200,13 @@ TEST_P(Compile, a_missing_entry_point_is_one_error_that_names_it) {
 TEST_P(Compile, garbage_is_an_error) {
     for (const std::string_view code :
          {std::string_view("\0\xff\xfe{{{{", 7), std::string_view("}"), std::string_view("#include \"nowhere.fxh\"\n"), std::string_view()})
-        EXPECT_FALSE(tryCompile(code, "PS", Stage::Pixel)) << code;
+        EXPECT_FALSE(tryCompile(code, "PS", ShaderStage::Pixel)) << code;
 }
 
 TEST_P(Compile, a_struct_among_the_parameters_is_refused_with_its_name) {
-    const auto shader = tryCompile(
-        "struct Light { float4 colour; float4 place; }; Light gLamp; float4 PS() : SV_Target { return gLamp.colour; }", "PS", Stage::Pixel);
+    const auto shader =
+        tryCompile("struct Light { float4 colour; float4 place; }; Light gLamp; float4 PS() : SV_Target { return gLamp.colour; }", "PS",
+                   ShaderStage::Pixel);
     ASSERT_FALSE(shader);
     EXPECT_EQ(shader.error().diagnostics.front().code, 3006);
     EXPECT_NE(shader.error().diagnostics.front().text.find("gLamp"), std::string::npos);
@@ -255,8 +256,8 @@ TEST_P(Compile, many_threads_may_compile_at_once) {
             threads.emplace_back([&, i] {
                 const std::string code = "float4 PS(float2 uv : TEXCOORD0) : SV_Target { return uv.x * " + std::to_string(i) + "; }";
                 for (int k = 0; k < 4; ++k) {
-                    const auto shader =
-                        tryCompile(code + std::string(static_cast<std::size_t>(k), ' '), "PS", Stage::Pixel); // a space: not from the cache
+                    const auto shader = tryCompile(code + std::string(static_cast<std::size_t>(k), ' '), "PS",
+                                                   ShaderStage::Pixel); // a space: not from the cache
                     if (!shader) failures[i] = format(shader.error());
                 }
             });
@@ -272,8 +273,13 @@ TEST(Compilers, glslang_is_always_there_and_dxc_comes_first_when_it_is) {
 }
 
 ShaderRequest foreignPixel(std::string_view code) {
-    return {
-        .code = code, .file = "main.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {}, .language2018 = true};
+    return {.code = code,
+            .file = "main.fx",
+            .entry = "PS",
+            .stage = ShaderStage::Pixel,
+            .defines = {},
+            .includeFolders = {},
+            .language2018 = true};
 }
 
 TEST(ForeignCode, that_dxc_does_not_survive_is_an_error_with_its_place) {

@@ -21,7 +21,7 @@ Texture2D gInMap; SamplerState gIn;
 [numthreads(8, 8, 1)] void CS(uint2 at : SV_DispatchThreadID) { gOutStore[at] = gInMap.Sample(gIn, float2(at)); }
 )";
 
-ShaderRequest request(std::string_view code, const char* entry, Stage stage) {
+ShaderRequest request(std::string_view code, const char* entry, ShaderStage stage) {
     return {.code = code, .file = "dxil.fx", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
 }
 
@@ -40,7 +40,7 @@ protected:
 };
 
 TEST_F(DxilShaders, say_by_their_signatures_what_they_read_and_write) {
-    const auto pixel = compileDxil(request(kPair, "PS", Stage::Pixel));
+    const auto pixel = compileDxil(request(kPair, "PS", ShaderStage::Pixel));
     ASSERT_TRUE(pixel) << format(pixel.error());
     EXPECT_EQ(pixel->container.substr(0, 4), "DXBC");
     ASSERT_EQ(pixel->inputs.size(), 4U);
@@ -48,7 +48,7 @@ TEST_F(DxilShaders, say_by_their_signatures_what_they_read_and_write) {
     EXPECT_EQ(element(pixel->inputs, "TEXCOORD0").used, 0b0011) << "x and y";
     EXPECT_EQ(element(pixel->inputs, "NORMAL0").used, 0b0100) << "z alone is read";
     EXPECT_EQ(element(pixel->inputs, "TEXCOORD7").used, 0) << "not read";
-    const auto vertex = compileDxil(request(kPair, "VS", Stage::Vertex));
+    const auto vertex = compileDxil(request(kPair, "VS", ShaderStage::Vertex));
     ASSERT_TRUE(vertex) << format(vertex.error());
     ASSERT_EQ(vertex->outputs.size(), 4U);
     for (const SignatureElement& output : vertex->outputs) {
@@ -58,23 +58,23 @@ TEST_F(DxilShaders, say_by_their_signatures_what_they_read_and_write) {
 }
 
 TEST_F(DxilShaders, come_from_the_cache_as_they_were_made) {
-    const auto first = compileDxil(request(kPair, "PS", Stage::Pixel));
-    const auto second = compileDxil(request(kPair, "PS", Stage::Pixel));
+    const auto first = compileDxil(request(kPair, "PS", ShaderStage::Pixel));
+    const auto second = compileDxil(request(kPair, "PS", ShaderStage::Pixel));
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first->container, second->container);
-    const auto spirv = compileShader(request(kPair, "PS", Stage::Pixel), Compiler::Dxc);
+    const auto spirv = compileShader(request(kPair, "PS", ShaderStage::Pixel), Compiler::Dxc);
     ASSERT_TRUE(spirv) << format(spirv.error());
     EXPECT_EQ(spirv->spirv.front(), 0x07230203U) << "the same text for another target is not the same entry of the cache";
 }
 
 TEST_F(DxilShaders, that_the_validator_refuses_are_errors) {
-    const auto made = compileDxil(request(kInvalid, "CS", Stage::Compute));
+    const auto made = compileDxil(request(kInvalid, "CS", ShaderStage::Compute));
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().diagnostics.at(0).code, 3001) << format(made.error());
 }
 
 TEST_F(DxilShaders, cut_short_or_changed_are_no_signature_and_no_crash) {
-    const auto made = compileDxil(request(kPair, "VS", Stage::Vertex));
+    const auto made = compileDxil(request(kPair, "VS", ShaderStage::Vertex));
     ASSERT_TRUE(made);
     for (std::size_t size = 0; size < made->container.size(); size += 3) {
         const auto outputs = readSignature(std::string_view(made->container).substr(0, size), "OSG1");

@@ -27,9 +27,9 @@ std::map<std::uint32_t, int> inputLocations(const Shader& shader) {
 
 class Link : public EachCompiler {
 protected:
-    [[nodiscard]] Shader vertex() const { return compile(kVertex, "VS", Stage::Vertex); }
+    [[nodiscard]] Shader vertex() const { return compile(kVertex, "VS", ShaderStage::Vertex); }
     [[nodiscard]] Shader pixel(const std::string& arguments, const std::string& value) const {
-        return compile("float4 PS(" + arguments + ") : SV_Target { return " + value + "; }", "PS", Stage::Pixel);
+        return compile("float4 PS(" + arguments + ") : SV_Target { return " + value + "; }", "PS", ShaderStage::Pixel);
     }
     [[nodiscard]] static std::uint32_t locationOf(const Shader& shader, const std::string& semantic) {
         return locations(shader.reflection.outputs).at(semantic);
@@ -118,7 +118,7 @@ protected:
         if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     }
 
-    [[nodiscard]] static Shader compile(std::string_view code, Stage stage, Compiler compiler) {
+    [[nodiscard]] static Shader compile(std::string_view code, ShaderStage stage, Compiler compiler) {
         auto shader = compileShader({.code = code, .file = "test.fx", .entry = "Main", .stage = stage, .defines = {}, .includeFolders = {}},
                                     compiler);
         if (shader) return std::move(*shader);
@@ -129,8 +129,9 @@ protected:
     /// Compiles `parameters` and a shader that returns `value` with both, expects no difference, and gives DXC's view.
     static Shader agreed(const std::string& parameters, const std::string& value) {
         const std::string code = parameters + "\nfloat4 Main(float3 uv : TEXCOORD0) : SV_Target0 { return " + value + "; }";
-        Shader dxc = compile(code, Stage::Pixel, Compiler::Dxc);
-        for (const std::string& difference : compareReflections(dxc.reflection, compile(code, Stage::Pixel, Compiler::Glslang).reflection))
+        Shader dxc = compile(code, ShaderStage::Pixel, Compiler::Dxc);
+        for (const std::string& difference :
+             compareReflections(dxc.reflection, compile(code, ShaderStage::Pixel, Compiler::Glslang).reflection))
             ADD_FAILURE() << difference;
         return dxc;
     }
@@ -153,8 +154,8 @@ TEST_F(Layout, parameters_that_fill_sixteen_bytes_each_lie_at_the_same_offsets) 
 
 TEST_F(Layout, the_offset_of_a_float3_behind_a_float_is_where_the_compilers_part) {
     const std::string code = "float gF; float3 gLast; float4 Main() : SV_Target0 { return gF + gLast.xyzz; }";
-    const auto differences = compareReflections(compile(code, Stage::Pixel, Compiler::Dxc).reflection,
-                                                compile(code, Stage::Pixel, Compiler::Glslang).reflection);
+    const auto differences = compareReflections(compile(code, ShaderStage::Pixel, Compiler::Dxc).reflection,
+                                                compile(code, ShaderStage::Pixel, Compiler::Glslang).reflection);
     EXPECT_TRUE(std::ranges::any_of(differences, [](const std::string& text) { return text.starts_with("gLast: offset"); }));
 }
 
@@ -233,7 +234,7 @@ constexpr int kUnreadable = 3003;
 
 TEST(Reflect, words_that_are_no_module_are_an_error) {
     for (std::vector<std::uint32_t> words : {std::vector<std::uint32_t>{}, {0x07230203}, std::vector<std::uint32_t>(64, 0x12345678)}) {
-        const auto reflection = spirv::reflect(words, Stage::Pixel, 1, "test.fx");
+        const auto reflection = spirv::reflect(words, ShaderStage::Pixel, 1, "test.fx");
         ASSERT_FALSE(reflection);
         EXPECT_EQ(reflection.error().diagnostics[0].code, kUnreadable);
         EXPECT_FALSE(spirv::writesPosition(words));
@@ -241,9 +242,9 @@ TEST(Reflect, words_that_are_no_module_are_an_error) {
 }
 
 TEST(Reflect, a_shader_whose_words_are_lost_cannot_be_linked_and_stays_as_it_is) {
-    Shader vertex{.stage = Stage::Vertex, .file = "test.fx", .entry = "VS", .spirv = {}};
+    Shader vertex{.stage = ShaderStage::Vertex, .file = "test.fx", .entry = "VS", .spirv = {}};
     vertex.reflection.outputs = {{.semantic = "TEXCOORD0", .location = 3}};
-    Shader pixel{.stage = Stage::Pixel, .file = "test.fx", .entry = "PS", .spirv = {1, 2, 3}};
+    Shader pixel{.stage = ShaderStage::Pixel, .file = "test.fx", .entry = "PS", .spirv = {1, 2, 3}};
     pixel.reflection.inputs = {{.semantic = "TEXCOORD0", .location = 0}};
     const auto linked = linkStages(vertex, pixel);
     ASSERT_FALSE(linked);
@@ -256,7 +257,8 @@ INSTANTIATE_TEST_SUITE_P(By, Reflected, testing::Values(Compiler::Dxc, Compiler:
 
 TEST_P(Reflected, numbers_of_64_bits_are_refused_with_their_name_also_in_vectors) {
     for (const std::string type : {"double", "double2"}) {
-        const auto shader = tryCompile(type + " gFine; float4 PS() : SV_Target { return (float)(gFine * 2.0L).x; }", "PS", Stage::Pixel);
+        const auto shader =
+            tryCompile(type + " gFine; float4 PS() : SV_Target { return (float)(gFine * 2.0L).x; }", "PS", ShaderStage::Pixel);
         ASSERT_FALSE(shader) << type;
         EXPECT_EQ(shader.error().diagnostics.front().code, 3006) << format(shader.error());
         EXPECT_NE(shader.error().diagnostics.front().text.find("gFine"), std::string::npos);
@@ -266,8 +268,9 @@ TEST_P(Reflected, numbers_of_64_bits_are_refused_with_their_name_also_in_vectors
 TEST_P(Reflected, of_an_input_array_the_elements_that_are_read_are_listed) {
     const std::string head = "int gAt; float4 PS(float2 uv[3] : TEXCOORD4) : SV_Target { return uv[";
     const std::map<std::string, std::uint32_t> all{{"TEXCOORD4", 0}, {"TEXCOORD5", 1}, {"TEXCOORD6", 2}};
-    EXPECT_EQ(locations(compile(head + "gAt].xyxy; }", "PS", Stage::Pixel).reflection.inputs), all) << "a computed index may reach each";
-    const auto one = locations(compile(head + "1].xyxy; }", "PS", Stage::Pixel).reflection.inputs);
+    EXPECT_EQ(locations(compile(head + "gAt].xyxy; }", "PS", ShaderStage::Pixel).reflection.inputs), all)
+        << "a computed index may reach each";
+    const auto one = locations(compile(head + "1].xyxy; }", "PS", ShaderStage::Pixel).reflection.inputs);
     if (GetParam() == Compiler::Dxc)
         EXPECT_EQ(one, (std::map<std::string, std::uint32_t>{{"TEXCOORD5", 1}}));
     else

@@ -40,12 +40,12 @@ protected:
         if (const std::string missing = test::compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
     }
 
-    [[nodiscard]] Result<Shader> tryCompile(std::string_view code, std::string entry, Stage stage) const {
+    [[nodiscard]] Result<Shader> tryCompile(std::string_view code, std::string entry, ShaderStage stage) const {
         return compileShader(
             {.code = code, .file = "test.fx", .entry = std::move(entry), .stage = stage, .defines = {}, .includeFolders = {}}, GetParam());
     }
     /// Fails the test and gives an empty shader when the compiler refuses.
-    [[nodiscard]] Shader compile(std::string_view code, std::string entry, Stage stage) const {
+    [[nodiscard]] Shader compile(std::string_view code, std::string entry, ShaderStage stage) const {
         auto shader = tryCompile(code, std::move(entry), stage);
         if (shader) return std::move(*shader);
         ADD_FAILURE() << format(shader.error());

@@ -53,7 +53,7 @@ TEST_P(Consumer, readme_shader_compiles_beside_a_copy_of_hlsl_alone) {
     const auto shader = compileShader({.code = code[0],
                                        .file = file.string(),
                                        .entry = "main",
-                                       .stage = Stage::Pixel,
+                                       .stage = ShaderStage::Pixel,
                                        .defines = {},
                                        .includeFolders = {folder_ / "mine"}},
                                       GetParam());

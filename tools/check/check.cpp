@@ -15,18 +15,6 @@ namespace tegument {
 
 namespace {
 
-struct NamedTarget {
-    Target target;
-    std::string_view name;
-};
-constexpr std::array kNames = {NamedTarget{Target::Fx2, "fx_2_0"},
-                               NamedTarget{Target::Fx4, "fx_4_0"},
-                               NamedTarget{Target::Fx5, "fx_5_0"},
-                               NamedTarget{Target::Sm5, "sm5"},
-                               NamedTarget{Target::Dxil, "dxil"},
-                               NamedTarget{Target::SpirvDxc, "spirv-dxc"},
-                               NamedTarget{Target::SpirvGlslang, "spirv-glslang"}};
-
 bool isError(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::Error;
 }
@@ -51,14 +39,18 @@ std::vector<Variant> variantsOf(const std::filesystem::path& file, const CheckOp
 
 } // namespace
 
-std::string_view targetName(Target target) {
-    return std::ranges::find(kNames, target, &NamedTarget::target)->name;
+std::vector<Target> allTargets(bool written) {
+    std::vector<Target> all;
+    for (const TargetRow& row : kTargets)
+        if (written || row.language.empty()) all.push_back(row.target);
+    return all;
 }
 
-std::vector<Target> targetsByName(std::string_view name) {
-    if (name == "all") return {kAllTargets.begin(), kAllTargets.end()};
-    const auto* found = std::ranges::find(kNames, name, &NamedTarget::name);
-    return found == kNames.end() ? std::vector<Target>{} : std::vector{found->target};
+std::vector<Target> targetsByName(std::string_view name, bool written) {
+    std::vector<Target> all = allTargets(written);
+    if (name == "spirv") return {Target::SpirvDxc, Target::SpirvGlslang};
+    if (name != "all") std::erase_if(all, [&](Target target) { return targetName(target) != name; });
+    return all;
 }
 
 std::string_view verdictName(Verdict verdict) {
@@ -158,13 +150,10 @@ void collectEntries(Work& work) {
                 own->original = respelt->entry;
                 own->obstacle = respelt->obstacle;
             }
-    const auto same = [](const EntryPoint& entry, const ShaderReference& shader, ShaderKind kind) {
-        return entry.name == shader.entry && entry.kind == kind && entry.arguments == shader.arguments && entry.code == shader.code;
-    };
     for (const ShaderUse& use : entryPoints(both)) {
         const ShaderReference& shader = *use.shader;
         work.report.entries.push_back({.name = shader.entry,
-                                       .kind = use.kind,
+                                       .stage = use.stage,
                                        .profile = shader.profile,
                                        .at = shader.at,
                                        .arguments = shader.arguments,
@@ -173,15 +162,16 @@ void collectEntries(Work& work) {
                                        .obstacle = shader.obstacle,
                                        .undrawn = use.undrawn});
     }
-    const auto place = [&](const ShaderReference& shader, ShaderKind kind) {
-        const auto& entries = work.report.entries;
-        return static_cast<std::size_t>(std::ranges::find_if(entries, [&](const auto& e) { return same(e, shader, kind); }) -
-                                        entries.begin());
+    const auto place = [&](const ShaderReference& shader, ShaderStage stage) {
+        const auto found = std::ranges::find_if(work.report.entries, [&](const EntryPoint& e) {
+            return e.name == shader.entry && e.stage == stage && e.arguments == shader.arguments && e.code == shader.code;
+        });
+        return static_cast<std::size_t>(found - work.report.entries.begin());
     };
     for (const Technique& technique : both.techniques)
         for (const Pass& pass : technique.passes) {
             if (!pass.vertexShader || !pass.pixelShader || needsOtherStages(pass)) continue;
-            const StagePair made{place(*pass.vertexShader, ShaderKind::Vertex), place(*pass.pixelShader, ShaderKind::Pixel)};
+            const StagePair made{place(*pass.vertexShader, ShaderStage::Vertex), place(*pass.pixelShader, ShaderStage::Pixel)};
             if (std::ranges::none_of(work.pairs,
                                      [&](const StagePair& pair) { return pair.vertex == made.vertex && pair.pixel == made.pixel; }))
                 work.pairs.push_back(made);

@@ -20,14 +20,36 @@
 
 namespace tegument {
 
-enum class Target { Fx2, Fx4, Fx5, Sm5, Dxil, SpirvDxc, SpirvGlslang };
-inline constexpr std::array kAllTargets = {Target::Fx2,  Target::Fx4,      Target::Fx5,         Target::Sm5,
-                                           Target::Dxil, Target::SpirvDxc, Target::SpirvGlslang};
+/// What an effect is compiled to. The last three are written in SPIR-V's stead (tools/emit), and not checked.
+enum class Target { Fx2, Fx4, Fx5, Sm5, Dxil, SpirvDxc, SpirvGlslang, Glsl, GlslEs, Msl };
 
-/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "dxil", "spirv-dxc", "spirv-glslang".
-[[nodiscard]] std::string_view targetName(Target target);
-/// The targets of one name; "all" is every target; empty for an unknown name.
-[[nodiscard]] std::vector<Target> targetsByName(std::string_view name);
+struct TargetRow {
+    Target target;
+    std::string_view name;
+    std::string_view ending{};   // of a file with one shader, behind its stage
+    std::string_view language{}; // that SPIR-V is translated into; empty: it is checked
+};
+inline constexpr std::array<TargetRow, 10> kTargets = {{{Target::Fx2, "fx_2_0"},
+                                                        {Target::Fx4, "fx_4_0"},
+                                                        {Target::Fx5, "fx_5_0"},
+                                                        {Target::Sm5, "sm5", ".cso"},
+                                                        {Target::Dxil, "dxil", ".dxil"},
+                                                        {Target::SpirvDxc, "spirv-dxc", ".spv"},
+                                                        {Target::SpirvGlslang, "spirv-glslang", ".spv"},
+                                                        {Target::Glsl, "glsl", "", "GLSL"},
+                                                        {Target::GlslEs, "glsl-es", "", "GLSL ES"},
+                                                        {Target::Msl, "msl", ".metal", "MSL"}}};
+[[nodiscard]] constexpr const TargetRow& rowOf(Target target) {
+    return kTargets[static_cast<std::size_t>(target)];
+}
+[[nodiscard]] constexpr std::string_view targetName(Target target) {
+    return rowOf(target).name;
+}
+
+/// Those that are checked; `written`: all that can be written, too.
+[[nodiscard]] std::vector<Target> allTargets(bool written = false);
+/// One of them, "all", or "spirv", both compilers'; empty for an unknown name.
+[[nodiscard]] std::vector<Target> targetsByName(std::string_view name, bool written = false);
 
 /// One way to compile every file: defines in addition to those that the target brings.
 struct Variant {
@@ -88,7 +110,7 @@ inline constexpr std::array kSm3Limits = {
 /// One entry point of an effect and what the compilers made of it; empty where they were not asked or refused.
 struct EntryPoint {
     std::string name;
-    ShaderKind kind = ShaderKind::Pixel;
+    ShaderStage stage = ShaderStage::Pixel;
     std::string profile; // as the effect writes it
     SourcePosition at;
     std::vector<std::string> arguments{};         // that the pass compiles it with

@@ -78,22 +78,12 @@ void addEffect(Work& work, Target target, Batch& batch) {
         addJob(work, *report, nullptr, std::string(targetName(target)), batch);
 }
 
-std::string sm5Profile(ShaderKind kind) {
-    switch (kind) {
-    case ShaderKind::Vertex: return "vs_5_0";
-    case ShaderKind::Pixel: return "ps_5_0";
-    case ShaderKind::Geometry: return "gs_5_0";
-    case ShaderKind::Compute: return "cs_5_0";
-    }
-    return {};
-}
-
 void addEntries(Work& work, Batch& batch) {
     TargetCheck* report = work.find(Target::Sm5);
     if (report == nullptr || !work.loaded()) return;
     if (std::string obstacle = spellingObstacle(work); !obstacle.empty()) return leaveOut(*report, std::move(obstacle));
     for (EntryPoint& entry : work.report.entries)
-        addJob(work, *report, &entry, sm5Profile(entry.kind), batch);
+        addJob(work, *report, &entry, fmt::format("{}_5_0", stageNames(entry.stage).profile), batch);
 }
 
 /// "... in Technique T, Pass P.": the linkage errors of fx_4_0 and fx_5_0 name the pass and no line.

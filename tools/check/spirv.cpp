@@ -14,11 +14,6 @@ namespace tegument::check {
 
 namespace {
 
-Stage stageOf(ShaderKind kind) {
-    if (kind == ShaderKind::Vertex) return Stage::Vertex;
-    return kind == ShaderKind::Compute ? Stage::Compute : Stage::Pixel;
-}
-
 /// The member of an entry point that holds this compiler's shader.
 using Slot = std::optional<Shader> EntryPoint::*;
 
@@ -137,7 +132,7 @@ void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) 
         if (entry.undrawn) continue;
         ++report.entries;
         const bool respelt = !entry.code.empty();
-        const run::StageKey key{.stage = stageOf(entry.kind), .entry = respelt ? entry.symbol : entry.name, .code = entry.code};
+        const run::StageKey key{.stage = entry.stage, .entry = respelt ? entry.symbol : entry.name, .code = entry.code};
         const auto known = stages.find(key);
         if (known != stages.end() && known->second) entry.*slot = *known->second;
         if (known != stages.end() || work.respelt) continue;
@@ -164,7 +159,7 @@ std::string noCompiler(Compiler compiler) {
 }
 
 std::string obstacleFor(const Work& work, Compiler compiler) {
-    const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
+    const auto geometry = std::ranges::find(work.report.entries, ShaderStage::Geometry, &EntryPoint::stage);
     if (geometry != work.report.entries.end() && std::ranges::all_of(work.report.entries, &EntryPoint::undrawn))
         return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
     if (work.report.entries.empty() || !work.respelt) return spellingObstacle(work);
@@ -187,7 +182,7 @@ void compileEach(Work& work, TargetCheck& report,
         append(report.diagnostics, compile(entry, {.code = respelt ? entry.code : work.effect().code,
                                                    .file = work.file.string(),
                                                    .entry = respelt ? entry.symbol : entry.name,
-                                                   .stage = stageOf(entry.kind),
+                                                   .stage = entry.stage,
                                                    .defines = {},
                                                    .includeFolders = {},
                                                    .language2018 = respelt}));

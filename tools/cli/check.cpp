@@ -156,32 +156,22 @@ struct CheckArguments {
     bool server = false;
 };
 
-/// Every chosen target once, in the order of kAllTargets.
-Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names) {
-    std::vector<Target> wanted;
+/// Every chosen one once, in their order. What is `written` is an output.
+Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names, bool written) {
+    std::set<Target> wanted;
     for (const std::string& name : names) {
-        const std::vector<Target> targets = targetsByName(name);
-        if (targets.empty())
-            return usageError(8020, fmt::format("unknown target '{}'", name),
-                              "targets: fx_2_0 fx_4_0 fx_5_0 sm5 dxil spirv-dxc spirv-glslang all");
-        wanted.insert(wanted.end(), targets.begin(), targets.end());
+        const std::vector<Target> targets = targetsByName(name, written);
+        const char* what = written ? "output" : "target";
+        if (targets.empty()) {
+            std::string known;
+            for (const Target target : allTargets(written))
+                known += fmt::format("{} ", targetName(target));
+            return usageError(written ? 8021 : 8020, fmt::format("unknown {} '{}'", what, name),
+                              fmt::format("{}s: {}spirv all", what, known));
+        }
+        wanted.insert(targets.begin(), targets.end());
     }
-    std::vector<Target> ordered;
-    for (const Target target : kAllTargets)
-        if (std::ranges::find(wanted, target) != wanted.end()) ordered.push_back(target);
-    return ordered;
-}
-
-Result<std::vector<EmitKind>> chosenKinds(const std::vector<std::string>& names) {
-    std::vector<EmitKind> wanted;
-    for (const std::string& name : names) {
-        const std::vector<EmitKind> kinds = emitKindsByName(name);
-        if (kinds.empty())
-            return usageError(8021, fmt::format("unknown output '{}'", name),
-                              "outputs: fx_2_0 fx_4_0 fx_5_0 sm5 dxil spirv-dxc spirv-glslang spirv glsl glsl-es msl all");
-        wanted.insert(wanted.end(), kinds.begin(), kinds.end());
-    }
-    return wanted;
+    return std::vector(wanted.begin(), wanted.end());
 }
 
 /// Two files of one name would write to one folder.
@@ -333,7 +323,7 @@ void printSum(const CheckReport& report, bool skipMissing) {
 /// The folders that were written, or the first thing that went wrong; a file that failed has been reported already.
 Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckArguments& arguments) {
     std::vector<std::string> folders;
-    const auto kinds = chosenKinds(arguments.emitKinds);
+    const auto kinds = chosenTargets(arguments.emitKinds, true);
     if (!kinds) return kinds.error();
     for (const FileReport& file : report.files) {
         if (file.failed()) continue;
@@ -346,7 +336,7 @@ Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckA
 
 Result<void> argumentsFit(const CheckArguments& arguments, const std::vector<std::filesystem::path>& files) {
     if (arguments.emitFolder.empty()) return {};
-    if (const auto kinds = chosenKinds(arguments.emitKinds); !kinds) return kinds.error();
+    if (const auto kinds = chosenTargets(arguments.emitKinds, true); !kinds) return kinds.error();
     if (const auto distinct = namesAreDistinct(files); !distinct) return distinct.error();
     return checkFolder(arguments.emitFolder);
 }
@@ -401,7 +391,7 @@ void printText(const CheckReport& report, const CheckArguments& arguments, const
 
 int check(const CheckArguments& arguments) {
     if (arguments.server) return serveEditor(assets::loadOptions(arguments.effect));
-    const auto targets = chosenTargets(arguments.targets);
+    const auto targets = chosenTargets(arguments.targets, false);
     if (!targets) return fail(targets.error(), arguments.json);
     const auto files = filesOf(arguments);
     if (!files) return fail(files.error(), arguments.json);

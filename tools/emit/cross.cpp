@@ -76,10 +76,10 @@ void nameAttributes(spirv_cross::Compiler& compiler, const spirv_cross::SmallVec
 
 void nameInterface(spirv_cross::Compiler& compiler, const Shader& shader, const Varyings& written) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
-    const bool vertex = shader.stage == Stage::Vertex;
+    const bool vertex = shader.stage == ShaderStage::Vertex;
     if (vertex) nameAttributes(compiler, resources.stage_inputs, shader.reflection.inputs, "attribute_");
-    if (shader.stage == Stage::Pixel) nameAttributes(compiler, resources.stage_outputs, shader.reflection.outputs, "output_");
-    if (shader.stage != Stage::Compute) nameVaryings(compiler, vertex ? resources.stage_outputs : resources.stage_inputs, written);
+    if (shader.stage == ShaderStage::Pixel) nameAttributes(compiler, resources.stage_outputs, shader.reflection.outputs, "output_");
+    if (shader.stage != ShaderStage::Compute) nameVaryings(compiler, vertex ? resources.stage_outputs : resources.stage_inputs, written);
 }
 
 /// Both stages of a program may hold the block: same name, same members.
@@ -88,7 +88,7 @@ std::string nameGlobals(spirv_cross::Compiler& compiler, const Shader& shader) {
     for (const auto& block : compiler.get_shader_resources().uniform_buffers)
         if (compiler.get_decoration(block.id, spv::DecorationBinding) == shader.reflection.globals->binding) {
             compiler.set_name(block.base_type_id, "Globals");
-            compiler.set_name(block.id, shader.stage == Stage::Vertex ? "vertex_globals" : "pixel_globals");
+            compiler.set_name(block.id, shader.stage == ShaderStage::Vertex ? "vertex_globals" : "pixel_globals");
             return "Globals";
         }
     return {};
@@ -172,15 +172,6 @@ CrossShader toMsl(const Shader& shader, const Varyings& written) {
     return result;
 }
 
-std::string_view languageName(CrossLanguage language) {
-    switch (language) {
-    case CrossLanguage::Glsl: return "GLSL";
-    case CrossLanguage::GlslEs: return "GLSL ES";
-    case CrossLanguage::Msl: return "MSL";
-    }
-    return "";
-}
-
 } // namespace
 
 Varyings varyingsOf(const Shader& vertex) {
@@ -190,13 +181,13 @@ Varyings varyingsOf(const Shader& vertex) {
     return varyings;
 }
 
-Result<CrossShader> crossCompile(const Shader& shader, CrossLanguage language, const Varyings& written) {
+Result<CrossShader> crossCompile(const Shader& shader, Target language, const Varyings& written) {
     try {
-        if (language == CrossLanguage::Msl) return toMsl(shader, written);
-        return toGlsl(shader, language == CrossLanguage::GlslEs, written);
+        if (language == Target::Msl) return toMsl(shader, written);
+        return toGlsl(shader, language == Target::GlslEs, written);
     } catch (const spirv_cross::CompilerError& error) {
         return inputError(3302, {.file = shader.file, .byte = {}},
-                          fmt::format("{} cannot be written in {}: {}", shader.entry, languageName(language), error.what()),
+                          fmt::format("{} cannot be written in {}: {}", shader.entry, rowOf(language).language, error.what()),
                           "leave this language out with --emit-kind, or write the code without that construct");
     }
 }

@@ -1,16 +1,13 @@
 #pragma once
 // SPIR-V to other engines' languages, by SPIRV-Cross.
 
-#include "host/spirv/compile.h"
+#include "tools/check/check.h"
 
 #include <map>
 #include <string>
 #include <vector>
 
 namespace tegument {
-
-/// Glsl: desktop 330; GlslEs: 300 es (WebGL 2); Msl: Metal 2.0.
-enum class CrossLanguage { Glsl, GlslEs, Msl };
 
 /// A texture and a sampler that GLSL joins into one uniform.
 struct CombinedSampler {
@@ -31,7 +28,8 @@ struct CrossShader {
 using Varyings = std::map<std::uint32_t, StageVariable>;
 [[nodiscard]] Varyings varyingsOf(const Shader& vertex);
 
-/// `written` are the varyings that the vertex shader of the same pass writes. TG3302 when SPIRV-Cross refuses.
-[[nodiscard]] Result<CrossShader> crossCompile(const Shader& shader, CrossLanguage language, const Varyings& written);
+/// Glsl: desktop 330; GlslEs: 300 es (WebGL 2); Msl: Metal 2.0. `written` are the varyings that the vertex shader of the same pass writes.
+/// TG3302 when SPIRV-Cross refuses.
+[[nodiscard]] Result<CrossShader> crossCompile(const Shader& shader, Target language, const Varyings& written);
 
 } // namespace tegument

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 namespace tegument {
 
@@ -21,45 +20,13 @@ using emit::Products;
 
 namespace {
 
-struct KindNames {
-    EmitKind kind;
-    std::string_view name;
-    std::array<std::string_view, 4> endings; // by ShaderKind
-};
-constexpr std::array<std::string_view, 4> kSpirvEndings = {".vs.spv", ".ps.spv", ".gs.spv", ".cs.spv"};
-constexpr std::array<std::string_view, 4> kGlslEndings = {".vert", ".frag", ".geom", ".comp"};
-constexpr std::array kKinds = {
-    KindNames{EmitKind::Fx2, "fx_2_0", {}},
-    KindNames{EmitKind::Fx4, "fx_4_0", {}},
-    KindNames{EmitKind::Fx5, "fx_5_0", {}},
-    KindNames{EmitKind::Sm5, "sm5", {".vs.cso", ".ps.cso", ".gs.cso", ".cs.cso"}},
-    KindNames{EmitKind::Dxil, "dxil", {".vs.dxil", ".ps.dxil", ".gs.dxil", ".cs.dxil"}},
-    KindNames{EmitKind::SpirvDxc, "spirv-dxc", kSpirvEndings},
-    KindNames{EmitKind::SpirvGlslang, "spirv-glslang", kSpirvEndings},
-    KindNames{EmitKind::Glsl, "glsl", kGlslEndings},
-    KindNames{EmitKind::GlslEs, "glsl-es", kGlslEndings},
-    KindNames{EmitKind::Msl, "msl", {".vs.metal", ".ps.metal", ".gs.metal", ".cs.metal"}},
-};
-
-const KindNames& names(EmitKind kind) {
-    return *std::ranges::find(kKinds, kind, &KindNames::kind);
+bool isGlsl(Target kind) {
+    return kind == Target::Glsl || kind == Target::GlslEs;
 }
 
-bool isTranslation(EmitKind kind) {
-    return kind == EmitKind::Glsl || kind == EmitKind::GlslEs || kind == EmitKind::Msl;
-}
-
-CrossLanguage languageOf(EmitKind kind) {
-    return kind == EmitKind::Glsl ? CrossLanguage::Glsl : kind == EmitKind::GlslEs ? CrossLanguage::GlslEs : CrossLanguage::Msl;
-}
-
-std::string bytesOf(const Shader& shader) {
-    const auto bytes = std::as_bytes(std::span(shader.spirv));
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-bool isGlsl(EmitKind kind) {
-    return kind == EmitKind::Glsl || kind == EmitKind::GlslEs;
+std::string endingOf(Target kind, ShaderStage stage) {
+    const StageNames& names = stageNames(stage);
+    return isGlsl(kind) ? std::string(names.ending) : fmt::format(".{}{}", names.profile, rowOf(kind).ending);
 }
 
 bool computes(const Technique& technique) {
@@ -67,9 +34,9 @@ bool computes(const Technique& technique) {
 }
 
 /// The reason why a kind cannot be written; empty when it can.
-std::string missingReason(const FileReport& report, EmitKind kind) {
-    const auto found = std::ranges::find(report.targets, targetOf(kind), &TargetCheck::target);
-    if (found == report.targets.end()) return fmt::format("{} was not asked for", targetName(targetOf(kind)));
+std::string missingReason(const FileReport& report, Target kind) {
+    const auto found = std::ranges::find(report.targets, sourceOf(kind), &TargetCheck::target);
+    if (found == report.targets.end()) return fmt::format("{} was not asked for", targetName(sourceOf(kind)));
     if (found->verdict == Verdict::NotChecked || found->verdict == Verdict::NotApplicable)
         return fmt::format("{} {}: {}", targetName(found->target), verdictName(found->verdict), found->reason);
     const auto& techniques = report.effect.techniques;
@@ -78,38 +45,35 @@ std::string missingReason(const FileReport& report, EmitKind kind) {
     return {};
 }
 
-void addFile(Products& products, LinkedShader& shader, EmitKind kind, std::string bytes) {
-    const std::string file =
-        fmt::format("{}/{}{}", emitKindName(kind), shader.name, names(kind).endings.at(static_cast<std::size_t>(shader.entry->kind)));
+void addFile(Products& products, LinkedShader& shader, Target kind, std::string bytes) {
+    const std::string file = fmt::format("{}/{}{}", targetName(kind), shader.name, endingOf(kind, shader.entry->stage));
     shader.files[kind] = file;
     products.files[file] = std::move(bytes);
 }
 
-Result<void> addTranslation(Products& products, LinkedShader& shader, EmitKind kind) {
-    auto translated = crossCompile(*shader.spirv(), languageOf(kind), shader.written);
+Result<void> addTranslation(Products& products, LinkedShader& shader, Target kind) {
+    auto translated = crossCompile(*shader.spirv(), kind, shader.written);
     if (!translated) return translated.error();
-    if (kind != EmitKind::Msl)
+    if (kind != Target::Msl)
         if (const std::string why = checkGlsl(shader.spirv()->stage, translated->text); !why.empty())
-            return machineError(
-                3303, fmt::format("{}: the {} of {} is not valid: {}", shader.spirv()->file, emitKindName(kind), shader.name, why),
-                "this is a fault of SPIRV-Cross or ours: leave this language out with --emit-kind, and report it");
+            return machineError(3303,
+                                fmt::format("{}: the {} of {} is not valid: {}", shader.spirv()->file, targetName(kind), shader.name, why),
+                                "this is a fault of SPIRV-Cross or ours: leave this language out with --emit-kind, and report it");
     addFile(products, shader, kind, translated->text);
     shader.translated.emplace(kind, std::move(*translated));
     return {};
 }
 
-Result<void> addShader(Products& products, LinkedShader& shader, EmitKind kind) {
-    if (isGlsl(kind) && shader.entry->kind == ShaderKind::Compute) return {}; // its technique is not for that language
-    if (isTranslation(kind)) return shader.spirv() == nullptr ? Result<void>() : addTranslation(products, shader, kind);
-    if (kind == EmitKind::Sm5 && !shader.entry->sm5.empty()) addFile(products, shader, kind, shader.entry->sm5);
-    if (kind == EmitKind::Dxil && shader.entry->dxil) addFile(products, shader, kind, shader.entry->dxil->container);
-    if (kind == EmitKind::SpirvDxc && shader.dxc) addFile(products, shader, kind, bytesOf(*shader.dxc));
-    if (kind == EmitKind::SpirvGlslang && shader.glslang) addFile(products, shader, kind, bytesOf(*shader.glslang));
+Result<void> addShader(Products& products, LinkedShader& shader, Target kind) {
+    if (isGlsl(kind) && shader.entry->stage == ShaderStage::Compute) return {}; // its technique is not for that language
+    if (!rowOf(kind).language.empty()) return shader.spirv() == nullptr ? Result<void>() : addTranslation(products, shader, kind);
+    if (const std::string_view bytes = emit::formOf(shader, kind).bytes; !bytes.empty())
+        addFile(products, shader, kind, std::string(bytes));
     return {};
 }
 
 /// Vertex and pixel text of each pass as one program: names and types of what passes between them.
-Result<void> checkPrograms(const Products& products, EmitKind kind) {
+Result<void> checkPrograms(const Products& products, Target kind) {
     for (const auto& technique : products.passes)
         for (const emit::PassShaders& pass : technique) {
             if (pass.vertex < 0 || pass.pixel < 0) continue;
@@ -118,19 +82,19 @@ Result<void> checkPrograms(const Products& products, EmitKind kind) {
             const std::string why = checkGlslProgram(vertex.translated.at(kind).text, pixel.translated.at(kind).text);
             if (!why.empty())
                 return machineError(3303,
-                                    fmt::format("the {} of {} and {} do not link: {}", emitKindName(kind), vertex.name, pixel.name, why),
+                                    fmt::format("the {} of {} and {} do not link: {}", targetName(kind), vertex.name, pixel.name, why),
                                     "this is a fault of SPIRV-Cross or ours: leave this language out with --emit-kind, and report it");
         }
     return {};
 }
 
-Result<void> addKind(Products& products, const FileReport& report, EmitKind kind) {
+Result<void> addKind(Products& products, const FileReport& report, Target kind) {
     if (const std::string reason = missingReason(report, kind); !reason.empty()) {
         products.missing.emplace_back(kind, reason);
         return {};
     }
-    if (const auto binary = report.binaries.find(targetOf(kind)); binary != report.binaries.end()) {
-        const std::string file = fmt::format("{}.{}.fxo", report.file.stem().string(), emitKindName(kind));
+    if (const auto binary = report.binaries.find(sourceOf(kind)); binary != report.binaries.end()) {
+        const std::string file = fmt::format("{}.{}.fxo", report.file.stem().string(), targetName(kind));
         products.effects[kind] = file;
         products.files[file] = binary->second;
         return {};
@@ -167,27 +131,9 @@ Result<void> replace(const fs::path& folder, const fs::path& with) {
 
 } // namespace
 
-std::string_view emitKindName(EmitKind kind) {
-    return names(kind).name;
-}
-
-std::vector<EmitKind> emitKindsByName(std::string_view name) {
-    if (name == "all") return {kAllEmitKinds.begin(), kAllEmitKinds.end()};
-    if (name == "spirv") return {EmitKind::SpirvDxc, EmitKind::SpirvGlslang};
-    const auto* found = std::ranges::find(kKinds, name, &KindNames::name);
-    return found == kKinds.end() ? std::vector<EmitKind>{} : std::vector{found->kind};
-}
-
-Target targetOf(EmitKind kind) {
-    switch (kind) {
-    case EmitKind::Fx2: return Target::Fx2;
-    case EmitKind::Fx4: return Target::Fx4;
-    case EmitKind::Fx5: return Target::Fx5;
-    case EmitKind::Sm5: return Target::Sm5;
-    case EmitKind::Dxil: return Target::Dxil;
-    case EmitKind::SpirvGlslang: return Target::SpirvGlslang;
-    default: return kind == EmitKind::SpirvDxc || compilerAvailable(Compiler::Dxc) ? Target::SpirvDxc : Target::SpirvGlslang;
-    }
+Target sourceOf(Target target) {
+    if (rowOf(target).language.empty()) return target;
+    return compilerAvailable(Compiler::Dxc) ? Target::SpirvDxc : Target::SpirvGlslang;
 }
 
 Result<fs::path> emitEffect(const FileReport& report, const EmitOptions& options) {
@@ -195,7 +141,7 @@ Result<fs::path> emitEffect(const FileReport& report, const EmitOptions& options
     const fs::path folder = options.folder / report.variant / report.file.stem();
     if (auto free = mayReplace(folder); !free) return free.error();
     Products products = emit::linkShaders(report);
-    for (const EmitKind kind : kAllEmitKinds)
+    for (const Target kind : allTargets(true))
         if (std::ranges::find(options.kinds, kind) != options.kinds.end())
             if (auto added = addKind(products, report, kind); !added) return added.error();
 

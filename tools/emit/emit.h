@@ -3,27 +3,17 @@
 
 #include "tools/check/check.h"
 
-#include <array>
 #include <filesystem>
-#include <string_view>
 #include <vector>
 
 namespace tegument {
 
-enum class EmitKind { Fx2, Fx4, Fx5, Sm5, Dxil, SpirvDxc, SpirvGlslang, Glsl, GlslEs, Msl };
-inline constexpr std::array kAllEmitKinds = {EmitKind::Fx2,      EmitKind::Fx4,          EmitKind::Fx5,  EmitKind::Sm5,    EmitKind::Dxil,
-                                             EmitKind::SpirvDxc, EmitKind::SpirvGlslang, EmitKind::Glsl, EmitKind::GlslEs, EmitKind::Msl};
-
-/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "dxil", "spirv-dxc", "spirv-glslang", "glsl", "glsl-es", "msl".
-[[nodiscard]] std::string_view emitKindName(EmitKind kind);
-/// "all" is every kind, "spirv" both compilers'; empty for an unknown name.
-[[nodiscard]] std::vector<EmitKind> emitKindsByName(std::string_view name);
-/// The targets that must be checked for a kind to be written: GLSL and MSL come from DXC's SPIR-V, without DXC from glslang's.
-[[nodiscard]] Target targetOf(EmitKind kind);
+/// What must have been checked for a target to be written: GLSL and MSL come from DXC's SPIR-V, without DXC from glslang's.
+[[nodiscard]] Target sourceOf(Target target);
 
 struct EmitOptions {
     std::filesystem::path folder;
-    std::vector<EmitKind> kinds = {kAllEmitKinds.begin(), kAllEmitKinds.end()};
+    std::vector<Target> kinds = allTargets(true);
     std::vector<std::pair<std::string, std::string>> defines; // of the variant, for the manifest
 };
 

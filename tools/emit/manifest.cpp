@@ -159,20 +159,12 @@ Json translationJson(const CrossShader& shader, bool metal) {
     return json;
 }
 
-std::string_view stageName(ShaderKind kind) {
-    static constexpr std::array<std::string_view, 4> kNames = {"vertex", "pixel", "geometry", "compute"};
-    return kNames.at(static_cast<std::size_t>(kind));
-}
-
-Json formJson(const LinkedShader& shader, EmitKind kind, const std::string& file) {
+Json formJson(const LinkedShader& shader, Target kind, const std::string& file) {
     Json json{{"file", file}};
-    const auto add = [&](const Json& more) { json.update(more); };
-    if (kind == EmitKind::Sm5 && shader.entry->sm5Reflection) add(reflectionJson(shader.entry->sm5Reflection->reflection, true));
-    if (kind == EmitKind::Dxil && shader.entry->dxil) add(reflectionJson(shader.entry->dxil->reflection, true));
-    if (kind == EmitKind::SpirvDxc && shader.dxc) add(reflectionJson(shader.dxc->reflection, false));
-    if (kind == EmitKind::SpirvGlslang && shader.glslang) add(reflectionJson(shader.glslang->reflection, false));
+    if (const Reflection* reflection = formOf(shader, kind).reflection)
+        json.update(reflectionJson(*reflection, kind == Target::Sm5 || kind == Target::Dxil));
     if (const auto found = shader.translated.find(kind); found != shader.translated.end())
-        add(translationJson(found->second, kind == EmitKind::Msl));
+        json.update(translationJson(found->second, kind == Target::Msl));
     return json;
 }
 
@@ -183,11 +175,11 @@ const Reflection* anyReflection(const LinkedShader& shader) {
 }
 
 Json shaderJson(const LinkedShader& shader) {
-    Json json{{"name", shader.name}, {"entry", shader.entry->name}, {"stage", stageName(shader.entry->kind)}};
-    if (shader.entry->kind == ShaderKind::Compute)
+    Json json{{"name", shader.name}, {"entry", shader.entry->name}, {"stage", stageNames(shader.entry->stage).name}};
+    if (shader.entry->stage == ShaderStage::Compute)
         if (const Reflection* reflection = anyReflection(shader)) json["threads"] = reflection->localSize;
     for (const auto& [kind, file] : shader.files)
-        json[std::string(emitKindName(kind))] = formJson(shader, kind, file);
+        json[std::string(targetName(kind))] = formJson(shader, kind, file);
     return json;
 }
 
@@ -198,9 +190,9 @@ std::string rootSignatureOf(const PassShaders& shaders, const Products& products
         if (index < 0) return;
         const LinkedShader& shader = products.shaders[static_cast<std::size_t>(index)];
         RootStage stage{visibility, {}};
-        if (shader.files.contains(EmitKind::Dxil)) stage.reflections.push_back(&shader.entry->dxil->reflection);
-        if (shader.files.contains(EmitKind::Sm5) && shader.entry->sm5Reflection)
-            stage.reflections.push_back(&shader.entry->sm5Reflection->reflection);
+        for (const Target target : {Target::Dxil, Target::Sm5})
+            if (const Reflection* reflection = formOf(shader, target).reflection; reflection && shader.files.contains(target))
+                stage.reflections.push_back(reflection);
         if (!stage.reflections.empty()) stages.push_back(std::move(stage));
     };
     add("VERTEX", shaders.vertex);
@@ -283,10 +275,10 @@ std::string manifest(const FileReport& report, const EmitOptions& options, const
         json["defines"][name] = value;
     json["targets"] = Json::object();
     for (const auto& [kind, file] : products.effects)
-        json["targets"][std::string(emitKindName(kind))] = file;
+        json["targets"][std::string(targetName(kind))] = file;
     json["missing"] = Json::array();
     for (const auto& [kind, reason] : products.missing)
-        json["missing"].push_back({{"kind", emitKindName(kind)}, {"reason", reason}});
+        json["missing"].push_back({{"kind", targetName(kind)}, {"reason", reason}});
     json["parameters"] = Json::array();
     for (const Parameter& parameter : effect.parameters)
         json["parameters"].push_back(toJson(parameter));

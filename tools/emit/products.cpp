@@ -28,16 +28,17 @@ int add(Products& products, LinkedShader shader) {
     return static_cast<int>(products.shaders.size()) - 1;
 }
 
-const EntryPoint* entryOf(const FileReport& report, const std::optional<ShaderReference>& shader, ShaderKind kind) {
+const EntryPoint* entryOf(const FileReport& report, const std::optional<ShaderReference>& shader, ShaderStage stage) {
     if (!shader) return nullptr;
-    const auto found = std::ranges::find_if(report.entries, [&](const EntryPoint& e) { return e.name == shader->entry && e.kind == kind; });
+    const auto found =
+        std::ranges::find_if(report.entries, [&](const EntryPoint& e) { return e.name == shader->entry && e.stage == stage; });
     return found == report.entries.end() ? nullptr : &*found;
 }
 
 LinkedShader linked(const EntryPoint& entry) {
     LinkedShader shader{
         .name = {}, .entry = &entry, .dxc = entry.dxc, .glslang = entry.glslang, .written = {}, .translated = {}, .files = {}};
-    if (entry.kind == ShaderKind::Vertex && shader.spirv() != nullptr) shader.written = varyingsOf(*shader.spirv());
+    if (entry.stage == ShaderStage::Vertex && shader.spirv() != nullptr) shader.written = varyingsOf(*shader.spirv());
     return shader;
 }
 
@@ -61,18 +62,32 @@ LinkedShader linkedPixel(const EntryPoint& pixel, const EntryPoint* vertex) {
 
 PassShaders addPass(const FileReport& report, const Pass& pass, Products& products) {
     PassShaders shaders;
-    const EntryPoint* vertex = entryOf(report, pass.vertexShader, ShaderKind::Vertex);
-    const EntryPoint* geometry = entryOf(report, pass.geometryShader, ShaderKind::Geometry);
+    const EntryPoint* vertex = entryOf(report, pass.vertexShader, ShaderStage::Vertex);
+    const EntryPoint* geometry = entryOf(report, pass.geometryShader, ShaderStage::Geometry);
     if (vertex != nullptr) shaders.vertex = add(products, linked(*vertex));
     if (geometry != nullptr) shaders.geometry = add(products, linked(*geometry));
-    if (const EntryPoint* pixel = entryOf(report, pass.pixelShader, ShaderKind::Pixel))
+    if (const EntryPoint* pixel = entryOf(report, pass.pixelShader, ShaderStage::Pixel))
         shaders.pixel = add(products, linkedPixel(*pixel, geometry == nullptr ? vertex : nullptr));
-    if (const EntryPoint* compute = entryOf(report, pass.computeShader, ShaderKind::Compute))
+    if (const EntryPoint* compute = entryOf(report, pass.computeShader, ShaderStage::Compute))
         shaders.compute = add(products, linked(*compute));
     return shaders;
 }
 
 } // namespace
+
+Form formOf(const LinkedShader& shader, Target target) {
+    const EntryPoint& entry = *shader.entry;
+    const auto spirv = [](const std::optional<Shader>& made) {
+        return made ? Form{{reinterpret_cast<const char*>(made->spirv.data()), 4 * made->spirv.size()}, &made->reflection} : Form{};
+    };
+    switch (target) {
+    case Target::Sm5: return {entry.sm5, entry.sm5Reflection ? &entry.sm5Reflection->reflection : nullptr};
+    case Target::Dxil: return entry.dxil ? Form{entry.dxil->container, &entry.dxil->reflection} : Form{};
+    case Target::SpirvDxc: return spirv(shader.dxc);
+    case Target::SpirvGlslang: return spirv(shader.glslang);
+    default: return {};
+    }
+}
 
 Products linkShaders(const FileReport& report) {
     Products products;

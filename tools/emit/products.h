@@ -19,12 +19,19 @@ struct LinkedShader {
     std::optional<Shader> dxc;
     std::optional<Shader> glslang;
     Varyings written; // what the vertex shader writes for it; of a vertex shader: its outputs
-    std::map<EmitKind, CrossShader> translated;
-    std::map<EmitKind, std::string> files; // relative to the effect's folder
+    std::map<Target, CrossShader> translated;
+    std::map<Target, std::string> files; // relative to the effect's folder
 
     /// DXC's SPIR-V, else glslang's.
     [[nodiscard]] const Shader* spirv() const { return dxc ? &*dxc : glslang ? &*glslang : nullptr; }
 };
+
+/// What a target's own compiler made of a shader; of translations, and of what was not compiled, nothing.
+struct Form {
+    std::string_view bytes;
+    const Reflection* reflection = nullptr;
+};
+[[nodiscard]] Form formOf(const LinkedShader& shader, Target target);
 
 /// Indices into Products::shaders; -1: none.
 struct PassShaders {
@@ -36,10 +43,10 @@ struct PassShaders {
 
 struct Products {
     std::vector<LinkedShader> shaders;
-    std::vector<std::vector<PassShaders>> passes;          // of each technique
-    std::map<std::string, std::string> files;              // name and bytes of all but the manifest
-    std::map<EmitKind, std::string> effects;               // file of fx_2_0, fx_4_0, fx_5_0
-    std::vector<std::pair<EmitKind, std::string>> missing; // kinds that were asked for, and why they are not here
+    std::vector<std::vector<PassShaders>> passes;        // of each technique
+    std::map<std::string, std::string> files;            // name and bytes of all but the manifest
+    std::map<Target, std::string> effects;               // file of fx_2_0, fx_4_0, fx_5_0
+    std::vector<std::pair<Target, std::string>> missing; // kinds that were asked for, and why they are not here
 };
 
 [[nodiscard]] Products linkShaders(const FileReport& report);

@@ -207,9 +207,7 @@ ShaderRequest requestOf(const Effect& effect, const ShaderUse& use) {
     return {.code = own ? use.shader->code : effect.code,
             .file = effect.file.string(),
             .entry = use.shader->entry,
-            .stage = use.kind == ShaderKind::Vertex    ? Stage::Vertex
-                     : use.kind == ShaderKind::Compute ? Stage::Compute
-                                                       : Stage::Pixel,
+            .stage = use.stage,
             .defines = {},
             .includeFolders = {},
             .language2018 = own};

@@ -86,7 +86,7 @@ struct Program {
     gpu::Pipeline pipeline;
 };
 
-Result<Shader> compile(std::string_view entry, Stage stage, Compiler compiler) {
+Result<Shader> compile(std::string_view entry, ShaderStage stage, Compiler compiler) {
     return compileShader(
         {.code = kCode, .file = "the viewer's canvas", .entry = std::string(entry), .stage = stage, .defines = {}, .includeFolders = {}},
         compiler);
@@ -122,7 +122,7 @@ PipelineState stateOf(bool blend) {
 }
 
 Result<Program> makeProgram(gpu::Device& device, const Shader& vertex, std::string_view entry, bool blend, Compiler compiler) {
-    auto pixel = compile(entry, Stage::Pixel, compiler);
+    auto pixel = compile(entry, ShaderStage::Pixel, compiler);
     if (!pixel) return pixel.error();
     if (const auto linked = linkStages(vertex, *pixel); !linked) return linked.error();
     auto pipeline = device.createPipeline(gpu::PipelineDesc{.name = std::string(entry),
@@ -256,7 +256,7 @@ Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 Canvas::~Canvas() = default;
 
 Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
-    const auto vertex = compile("StreamVS", Stage::Vertex, compiler);
+    const auto vertex = compile("StreamVS", ShaderStage::Vertex, compiler);
     if (!vertex) return vertex.error();
     auto show = makeProgram(device, *vertex, "ShowPS", false, compiler);
     if (!show) return show.error();

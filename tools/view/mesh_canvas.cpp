@@ -90,7 +90,7 @@ std::vector<gpu::VertexAttribute> meshAttributes(const Shader& shader) {
     return attributes;
 }
 
-Result<Shader> compileMeshShader(std::string_view entry, Stage stage, Compiler compiler) {
+Result<Shader> compileMeshShader(std::string_view entry, ShaderStage stage, Compiler compiler) {
     return compileShader(
         {.code = kMeshCode, .file = "the viewer's mesh", .entry = std::string(entry), .stage = stage, .defines = {}, .includeFolders = {}},
         compiler);
@@ -133,9 +133,9 @@ std::vector<ColoredMesh> coloredMeshes(const SessionScene& scene) {
 
 Result<std::unique_ptr<MeshCanvas>> MeshCanvas::create(gpu::Device& device, Compiler compiler, const std::vector<ColoredMesh>& meshes,
                                                        MeshShow show) {
-    auto vertex = compileMeshShader("MeshVS", Stage::Vertex, compiler);
+    auto vertex = compileMeshShader("MeshVS", ShaderStage::Vertex, compiler);
     if (!vertex) return vertex.error();
-    auto pixel = compileMeshShader("MeshPS", Stage::Pixel, compiler);
+    auto pixel = compileMeshShader("MeshPS", ShaderStage::Pixel, compiler);
     if (!pixel) return pixel.error();
     if (const auto linked = linkStages(*vertex, *pixel); !linked) return linked.error();
     std::vector<gpu::Binding> bindings;

@@ -9,7 +9,7 @@ technique T
     pass P
     {
         VertexShader = compile TG_VS_MODEL VS();
-        PixelShader = compile TG_PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101, fx_2_0 sm5 dxil spirv-dxc spirv-glslang TG3004
+        PixelShader = compile TG_PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101, else TG3004
         TG_STATE_BUFFER;
     }
 }

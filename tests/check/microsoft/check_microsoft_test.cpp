@@ -119,7 +119,7 @@ TEST(VertexHookExample, compiles_for_direct3d_9_10_and_11_within_the_limits_of_s
 
 TEST(BrokenEffects, are_blamed_on_the_right_line_for_every_target_of_microsoft_s_compiler) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
-    const CheckReport report = checkEffects(brokenEffects(), {kAllTargets.begin(), kAllTargets.end()});
+    const CheckReport report = checkEffects(brokenEffects(), allTargets());
     for (const FileReport& file : report.files)
         expectBlame(file);
 }

@@ -43,7 +43,7 @@ TEST_P(Alone, every_header_compiles_to_spirv_in_every_setting) {
             const auto shader = compileShader({.code = client(header),
                                                .file = (header.parent_path() / "client.hlsl").string(),
                                                .entry = "main",
-                                               .stage = Stage::Pixel,
+                                               .stage = ShaderStage::Pixel,
                                                .defines = {{"TEGUMENT_SETTING", setting}},
                                                .includeFolders = {}},
                                               GetParam());
@@ -55,7 +55,7 @@ TEST_P(Alone, a_header_that_leaves_out_what_it_needs_is_found) {
     const auto shader = compileShader({.code = "float3 f(float3 v) { return tgSafeNormalize(v); }\n" + client("halves.fxh"),
                                        .file = "hlsl/surface/client.hlsl",
                                        .entry = "main",
-                                       .stage = Stage::Pixel,
+                                       .stage = ShaderStage::Pixel,
                                        .defines = {},
                                        .includeFolders = {}},
                                       GetParam());

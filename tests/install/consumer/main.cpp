@@ -8,11 +8,11 @@
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     const std::filesystem::path file = arguments[1];
-    const tegument::Target target = tegument::targetOf(tegument::EmitKind::Glsl);
+    const tegument::Target target = tegument::sourceOf(tegument::Target::Glsl);
     const tegument::CheckReport report = tegument::checkEffects({file}, {target});
     const tegument::FileReport& checked = report.files.front();
     if (report.failed() || !report.complete()) return 1;
-    const auto folder = tegument::emitEffect(checked, {.folder = "glsl", .kinds = {tegument::EmitKind::Glsl}, .defines = {}});
+    const auto folder = tegument::emitEffect(checked, {.folder = "glsl", .kinds = {tegument::Target::Glsl}, .defines = {}});
     if (!folder) return std::fprintf(stderr, "%s\n", tegument::format(folder.error()).c_str()), 1;
     int texts = 0;
     for (const auto& entry : std::filesystem::directory_iterator(*folder / "glsl"))

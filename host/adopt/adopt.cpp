@@ -19,20 +19,8 @@ namespace adopt {
 
 namespace {
 
-bool isTarget(const Parameter& parameter) {
-    return equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET") ||
-           equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL");
-}
-
 void note(Adoption& adoption, const SourcePosition& at, std::string text) {
     adoption.notes.push_back({.severity = Severity::Note, .code = 3404, .at = at, .text = std::move(text), .hint = {}, .sourceLine = {}});
-}
-
-bool drawsGeometry(const Pass& pass) {
-    if (!pass.script.given) return true;
-    return std::ranges::any_of(pass.script.commands, [](const Command& command) {
-        return command.kind == CommandKind::Draw && command.options.front() != "Buffer";
-    });
 }
 
 /// `Word name[`: whether the first word can be a type, or is none of a declaration.
@@ -152,7 +140,7 @@ private:
 
     /// A pass whose vertices no matrix places gets the corners of the target as they are.
     [[nodiscard]] bool coversTarget(const Pass& pass) const {
-        if (!drawsGeometry(pass)) return true;
+        if (!pass.drawsGeometry()) return true;
         if (pass.vertexShader) return flow_ ? !flow_->placed : !rewriter_.readsMatrix(*pass.vertexShader);
         if (!pass.vertexShader && !pass.state.depthTest) return true; // what an application draws over the picture, as a rule
         const auto& global = adoption_.effect.standardsGlobal;
@@ -197,7 +185,7 @@ private:
     /// `CullMode = CW` in every pass that draws the mesh: its host winds front faces the other way, as modelling programs do. Outlines and
     /// shells have it in some of their passes only.
     void turnFaces(Technique& technique) {
-        const auto flat = [](const Pass& pass) { return !drawsGeometry(pass); };
+        const auto flat = [](const Pass& pass) { return !pass.drawsGeometry(); };
         const auto inside = [&](const Pass& pass) { return flat(pass) || pass.state.cull == CullMode::Front; };
         if (technique.kind != TechniqueKind::D3D9 || std::ranges::all_of(technique.passes, flat) ||
             !std::ranges::all_of(technique.passes, inside))
@@ -241,7 +229,7 @@ private:
     void fillTextures() {
         Effect& effect = adoption_.effect;
         for (Parameter& parameter : effect.parameters) {
-            if (!parameter.type.isTexture() || isTarget(parameter)) continue;
+            if (!parameter.type.isTexture() || parameter.isTarget()) continue;
             const std::string function = fillingFunction(parameter, rewriter_);
             if (function.empty()) continue;
             const Pass pass = fillingPass(parameter, function, rewriter_);
@@ -343,7 +331,7 @@ private:
         const std::set<std::string> shown = namesOfTechnique();
         adoption_.halfPixel = shown.contains(kTargetSize);
         for (Parameter& parameter : adoption_.effect.parameters) {
-            if (isTarget(parameter)) continue;
+            if (parameter.isTarget() || parameter.hasSemantic(kStandardsGlobal)) continue;
             if (parameter.type.isTexture()) {
                 bindTexture(parameter, shown);
             } else if (parameter.type.isNumeric()) {

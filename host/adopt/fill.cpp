@@ -72,7 +72,7 @@ Pass fillingPass(Parameter& texture, const std::string& function, const Rewriter
     });
     annotate(texture, "Width", width);
     annotate(texture, "Height", height);
-    texture.semantic = "RENDERCOLORTARGET";
+    texture.semantic = kColorTarget;
     Pass pass{.name = fmt::format("<fill {}>", texture.name), .at = texture.at};
     ShaderReference vertex{.entry = kVertex, .profile = "vs_3_0", .at = texture.at, .original = "none"};
     vertex.code = rewriter.source(nullptr, plainVertexShader(kVertex, {{"TEXCOORD0"}}, true));

@@ -372,7 +372,7 @@ void Parser::blankQualifiers(const Declarator& d) {
 /// Strings and the global script mean nothing to the compilers: their whole declaration is blanked out. (The script's own float would also
 /// break the layout rule for parameters: every 16 bytes filled exactly.)
 void Parser::addParameter(Parameter parameter, const Declarator& d) {
-    const bool onlyEffect = parameter.type.base == BaseType::String || equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL");
+    const bool onlyEffect = parameter.type.base == BaseType::String || parameter.hasSemantic(kStandardsGlobal);
     if (onlyEffect && peek().is(';')) result_.blanks.push_back({d.start, at_ + 1});
     changing_.insert(parameter.name);
     result_.effect.parameters.push_back(std::move(parameter));

@@ -242,12 +242,12 @@ private:
         for (StorageTexture& storage : effect_.storages) {
             annotations(storage.annotations);
             if (auto named = storage.annotations.string("Stores")) {
-                target(*named, "RENDERCOLORTARGET", storage.annotations.find("Stores")->at);
+                target(*named, kColorTarget, storage.annotations.find("Stores")->at);
                 storage.target = *named;
             } else if (storage.name.ends_with(kEnding)) {
                 const std::string map = storage.name.substr(0, storage.name.size() - kEnding.size()) + "Map";
                 const Parameter* conventional = effect_.findParameter(map);
-                if (conventional != nullptr && equalsIgnoreCase(conventional->semantic, "RENDERCOLORTARGET")) storage.target = map;
+                if (conventional != nullptr && conventional->hasSemantic(kColorTarget)) storage.target = map;
             }
         }
     }
@@ -280,9 +280,9 @@ private:
 
     void globalScript() {
         for (const Parameter& parameter : effect_.parameters) {
-            if (!equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL")) continue;
+            if (!parameter.hasSemantic(kStandardsGlobal)) continue;
             if (effect_.standardsGlobal) return refuse(2015, parameter.at, "a second STANDARDSGLOBAL parameter");
-            StandardsGlobal global{.at = parameter.at};
+            StandardsGlobal global{.name = parameter.name, .annotations = parameter.annotations, .at = parameter.at};
             const auto* version = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr;
             if (version != nullptr) global.version = (*version)[0];
             global.scriptClass = toLower(parameter.annotations.string("ScriptClass").value_or(global.scriptClass));
@@ -319,8 +319,8 @@ private:
         for (Annotation& annotation : pass.annotations.list) {
             auto* name = std::get_if<std::string>(&annotation.value);
             if (name == nullptr) continue;
-            if (equalsIgnoreCase(annotation.name, "Threads")) target(*name, "RENDERCOLORTARGET", annotation.at);
-            if (equalsIgnoreCase(annotation.name, "Viewport") && !name->empty()) target(*name, "RENDERCOLORTARGET", annotation.at);
+            if (equalsIgnoreCase(annotation.name, "Threads")) target(*name, kColorTarget, annotation.at);
+            if (equalsIgnoreCase(annotation.name, "Viewport") && !name->empty()) target(*name, kColorTarget, annotation.at);
             if (equalsIgnoreCase(annotation.name, "GroupCount")) numeric(*name, annotation.at);
         }
         if (pass.computeShader && (pass.vertexShader || pass.pixelShader))
@@ -381,8 +381,8 @@ private:
             switch (command.kind) {
             case CommandKind::Technique: techniqueName(option, command.at); break;
             case CommandKind::Pass: passName(option, *technique, command.at); break;
-            case CommandKind::RenderColorTarget: target(option, "RENDERCOLORTARGET", command.at); break;
-            case CommandKind::RenderDepthStencilTarget: target(option, "RENDERDEPTHSTENCILTARGET", command.at); break;
+            case CommandKind::RenderColorTarget: target(option, kColorTarget, command.at); break;
+            case CommandKind::RenderDepthStencilTarget: target(option, kDepthTarget, command.at); break;
             case CommandKind::ClearSetColor: color(option, command.at); break;
             case CommandKind::ClearSetDepth:
             case CommandKind::ClearSetStencil:
@@ -435,7 +435,7 @@ private:
         if (texture == nullptr) return refuse(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
         name = texture->name;
         if (!texture->type.isTexture()) return refuse(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
-        if (!equalsIgnoreCase(texture->semantic, semantic))
+        if (!texture->hasSemantic(semantic))
             refuse(2014, at, fmt::format("texture '{}' is not declared as a target", name),
                    fmt::format("declare it with ': {}'", semantic));
     }

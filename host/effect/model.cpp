@@ -66,6 +66,16 @@ const Pass* Technique::findPass(std::string_view passName) const {
     return findIgnoringCase(passes, passName);
 }
 
+bool Parameter::hasSemantic(std::string_view name) const {
+    return equalsIgnoreCase(semantic, name);
+}
+
+bool Pass::drawsGeometry() const {
+    return !script.given || std::ranges::any_of(script.commands, [](const Command& command) {
+        return command.kind == CommandKind::Draw && command.options.front() != "Buffer";
+    });
+}
+
 const Parameter* Effect::findParameter(std::string_view name) const {
     return findExact(parameters, name);
 }

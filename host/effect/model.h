@@ -68,6 +68,10 @@ struct Annotations {
     [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view name) const;
 };
 
+inline constexpr std::string_view kColorTarget = "RENDERCOLORTARGET"; // semantics of what is no input of a shader
+inline constexpr std::string_view kDepthTarget = "RENDERDEPTHSTENCILTARGET";
+inline constexpr std::string_view kStandardsGlobal = "STANDARDSGLOBAL";
+
 /// A global variable that the host may set: numeric, string or texture. Samplers are apart.
 struct Parameter {
     std::string name;
@@ -76,6 +80,9 @@ struct Parameter {
     Annotations annotations;
     std::optional<Value> defaultValue; // compilers drop it silently; the host uploads it
     SourcePosition at;
+
+    [[nodiscard]] bool hasSemantic(std::string_view name) const; // ignores case
+    [[nodiscard]] bool isTarget() const { return type.isTexture() && (hasSemantic(kColorTarget) || hasSemantic(kDepthTarget)); }
 };
 
 struct Sampler {
@@ -133,6 +140,8 @@ struct Pass {
     PipelineState state; // every assignment of the pass applied to the defaults of its Direct3D version
     Script script;       // default: Draw=Geometry;
     SourcePosition at;
+
+    [[nodiscard]] bool drawsGeometry() const; // or computes: anything but Draw=Buffer
 };
 
 enum class TechniqueKind { D3D9, D3D10, D3D11 };
@@ -150,6 +159,8 @@ struct Technique {
 
 /// The STANDARDSGLOBAL block.
 struct StandardsGlobal {
+    std::string name{};
+    Annotations annotations{};
     double version = 0.8;
     std::string scriptClass = "sceneorobject";
     std::string scriptOrder = "standard";

@@ -32,7 +32,7 @@ Result<void> checkTextureNames(const RunInput& input) {
         if (parameter.type.isTexture()) names.push_back(parameter.name);
     for (const auto& [name, file] : input.options.textures) {
         const bool known = std::ranges::any_of(input.effect.parameters, [&, &name = name](const Parameter& parameter) {
-            return parameter.type.isTexture() && !isTarget(parameter) &&
+            return parameter.type.isTexture() && !parameter.isTarget() &&
                    (parameter.name == name || equalsIgnoreCase(parameter.semantic, name));
         });
         if (!known)
@@ -101,7 +101,7 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
             names.insert(used->begin(), used->end());
     for (const std::string& name : names) {
         const Parameter* parameter = input.effect.findParameter(name);
-        if (!parameter || !isTarget(*parameter)) continue;
+        if (!parameter || !parameter->isTarget()) continue;
         const auto target = describeTarget(*parameter, picture);
         if (!target) return target.error();
         prepared.targets.emplace(name, *target);
@@ -158,9 +158,7 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
 /// Where a texture is named, they are needed all the same.
 WithoutUvs withoutUvs(const RunInput& input, const Prepared& prepared) {
     WithoutUvs without;
-    for (const Parameter& parameter : input.effect.parameters)
-        if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL"))
-            without.instead = parameter.annotations.string("WithoutUvs").value_or("");
+    if (const auto& global = input.effect.standardsGlobal) without.instead = global->annotations.string("WithoutUvs").value_or("");
     const bool textured = !input.options.textures.empty() || !input.workspace.textures.empty();
     for (std::string_view rest = without.instead; !rest.empty() && !textured;) {
         const std::size_t comma = rest.find(',');

@@ -42,7 +42,7 @@ constexpr std::array kFormats = {
 };
 
 Result<PixelFormat> targetFormat(const Parameter& parameter) {
-    const bool depth = isDepthTarget(parameter);
+    const bool depth = parameter.hasSemantic(kDepthTarget);
     const Annotation* annotation = parameter.annotations.find("Format");
     if (!annotation) return depth ? PixelFormat::D24S8 : PixelFormat::BGRA8;
     const std::string name = parameter.annotations.string("Format").value_or("");
@@ -80,10 +80,6 @@ Size targetSize(const Annotations& annotations, Extent picture) {
     return {static_cast<double>(picture.width), static_cast<double>(picture.height), false};
 }
 
-bool isSemantic(const Parameter& parameter, std::string_view semantic) {
-    return parameter.type.isTexture() && equalsIgnoreCase(parameter.semantic, semantic);
-}
-
 } // namespace
 
 std::optional<PixelFormat> formatFromD3D(std::string_view name) {
@@ -108,14 +104,6 @@ int channelCount(PixelFormat format) {
     case PixelFormat::RG32F: return 2;
     default: return isDepth(format) ? 1 : 4;
     }
-}
-
-bool isColorTarget(const Parameter& parameter) {
-    return isSemantic(parameter, "RENDERCOLORTARGET");
-}
-
-bool isDepthTarget(const Parameter& parameter) {
-    return isSemantic(parameter, "RENDERDEPTHSTENCILTARGET");
 }
 
 Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture) {

@@ -37,12 +37,6 @@ struct TargetDesc {
 /// Channels that carry data: 1 for depth.
 [[nodiscard]] int channelCount(PixelFormat format);
 
-[[nodiscard]] bool isColorTarget(const Parameter& parameter);
-[[nodiscard]] bool isDepthTarget(const Parameter& parameter);
-[[nodiscard]] inline bool isTarget(const Parameter& parameter) {
-    return isColorTarget(parameter) || isDepthTarget(parameter);
-}
-
 /// TG4020 a format that cannot be a target, TG4021 impossible size, TG4022 colour format for a depth target or the other way round.
 [[nodiscard]] Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture);
 

@@ -19,21 +19,12 @@ namespace {
 
 /// The workspace that shows the effect when none is named.
 std::string usualWorkspace(const Effect& effect) {
-    for (const Parameter& parameter : effect.parameters)
-        if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL"))
-            return parameter.annotations.string("Workspace").value_or("human.json");
-    return "human.json";
-}
-
-bool drawsGeometry(const Pass& pass) {
-    if (!pass.script.given) return true;
-    for (const Command& command : pass.script.commands)
-        if (command.kind == CommandKind::Draw && command.options.front() != "Buffer") return true;
-    return false;
+    const auto named = effect.standardsGlobal ? effect.standardsGlobal->annotations.string("Workspace") : std::nullopt;
+    return named.value_or("human.json");
 }
 
 bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshFor) {
-    const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, drawsGeometry); };
+    const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, &Pass::drawsGeometry); };
     if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
     const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
     const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };

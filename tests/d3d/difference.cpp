@@ -77,7 +77,7 @@ std::vector<DrawnTarget> targetsOf(const Case& drawn) {
     if (!effect) return targets;
     std::error_code code;
     for (const Parameter& parameter : effect->parameters)
-        if (run::isTarget(parameter) && fs::exists(drawing(drawn, Engine::Vulkan, parameter.name), code))
+        if (parameter.isTarget() && fs::exists(drawing(drawn, Engine::Vulkan, parameter.name), code))
             targets.push_back({parameter.name, kindOf(parameter), parameter.annotations.string("Format").value_or("D24S8") != "D32F"});
     targets.push_back({"picture", Kind::Picture});
     return targets;

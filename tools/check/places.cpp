@@ -109,10 +109,8 @@ void compareEffect9(const Work& work, TargetCheck& report) {
 }
 
 void compareEntries(const Work& work, TargetCheck& sm5) {
-    const auto& parameters = work.effect().parameters;
-    const auto global =
-        std::ranges::find_if(parameters, [](const Parameter& p) { return equalsIgnoreCase(p.semantic, "STANDARDSGLOBAL"); });
-    const std::string script = global == parameters.end() ? "" : global->name;
+    const auto& global = work.effect().standardsGlobal;
+    const std::string script = global ? global->name : "";
     for (const EntryPoint& entry : work.report.entries) {
         if (!entry.sm5Reflection) continue;
         const Comparison comparison{entry, sm5, script};

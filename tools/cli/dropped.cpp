@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool takesFile(const Parameter& parameter) {
-    return parameter.type.isTexture() && !equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") &&
-           !equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET");
+    return parameter.type.isTexture() && !parameter.isTarget();
 }
 
 /// "gFurCubeMap": "furcube".

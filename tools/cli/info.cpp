@@ -22,10 +22,6 @@ namespace tegument::app {
 
 namespace {
 
-bool isTarget(const Parameter& parameter) {
-    return equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET");
-}
-
 Json passJson(const Pass& pass) {
     Json json{{"name", pass.name}};
     const auto add = [&](const char* stage, const std::optional<ShaderReference>& shader) {
@@ -53,16 +49,13 @@ std::vector<assets::Switch> switchesOf(const Effect& effect) {
 Json effectJson(const Effect& effect) {
     Json json{{"file", effect.file.string()}, {"parameters", Json::array()}, {"targets", Json::array()}, {"techniques", Json::array()}};
     for (const Parameter& parameter : effect.parameters)
-        json[isTarget(parameter) ? "targets" : "parameters"].push_back(toJson(parameter));
+        json[parameter.isTarget() ? "targets" : "parameters"].push_back(toJson(parameter));
     for (const Technique& technique : effect.techniques) {
         Json passes = Json::array();
         for (const Pass& pass : technique.passes)
             passes.push_back(passJson(pass));
         json["techniques"].push_back({{"name", technique.name}, {"annotations", toJson(technique.annotations)}, {"passes", passes}});
     }
-    const Parameter* global = nullptr;
-    for (const Parameter& parameter : effect.parameters)
-        if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL")) global = &parameter;
     json["settings"] =
         effect.settings
             ? Json{{"switch", effect.settings->define}, {"names", effect.settings->names}, {"current", effect.settings->current}}
@@ -70,6 +63,7 @@ Json effectJson(const Effect& effect) {
     json["switches"] = Json::array();
     for (const assets::Switch& one : switchesOf(effect))
         json["switches"].push_back({{"name", one.name}, {"most", one.most}, {"help", one.meaning}});
+    const auto& global = effect.standardsGlobal;
     json["script"] = global ? Json(global->annotations.string("Script").value_or("")) : Json(nullptr);
     return json;
 }
@@ -100,7 +94,7 @@ std::string defaultText(const Parameter& parameter) {
 
 /// What a user may turn: the effect gives it a name for people and a value of its own, the scene gives it none.
 bool isTunable(const Parameter& parameter) {
-    return parameter.type.isNumeric() && parameter.defaultValue && parameter.annotations.string("UIName") && !isTarget(parameter) &&
+    return parameter.type.isNumeric() && parameter.defaultValue && parameter.annotations.string("UIName") && !parameter.isTarget() &&
            !equalsIgnoreCase(parameter.annotations.string("UIWidget").value_or(""), "none");
 }
 
@@ -250,7 +244,7 @@ void printEffect(const Effect& effect, bool all) {
     std::vector<std::vector<std::string>> internals;
     std::vector<std::vector<std::string>> targets;
     for (const Parameter& parameter : effect.parameters) {
-        if (isTarget(parameter))
+        if (parameter.isTarget())
             targets.push_back(
                 {parameter.name, targetSize(parameter.annotations), parameter.annotations.string("Format").value_or("A8R8G8B8")});
         else if (isTunable(parameter))

@@ -247,8 +247,7 @@ void printReport(const Job& job, const gpu::Device& device, const RunResult& res
 Result<void> targetsExist(const Effect& effect, const std::vector<std::string>& dump) {
     std::vector<std::string> targets;
     for (const Parameter& parameter : effect.parameters)
-        if (equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET"))
-            targets.push_back(parameter.name);
+        if (parameter.isTarget()) targets.push_back(parameter.name);
     for (const std::string& name : dump) {
         if (name == "all" || std::ranges::find(targets, name) != targets.end()) continue;
         const std::string near = didYouMean(name, targets);

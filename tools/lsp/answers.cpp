@@ -29,7 +29,6 @@ constexpr const char* kVertexSemantics[] = {
     "TEXCOORD2",        "TEXCOORD3",  "TEXCOORD4",     "TEXCOORD5", "TEXCOORD6",   "TEXCOORD7",     "SV_Position",    "SV_Target0",
     "SV_Target1",       "SV_Target2", "SV_Target3",    "SV_Depth",  "SV_VertexID", "SV_InstanceID", "SV_IsFrontFace", "SV_DispatchThreadID",
     "SV_GroupThreadID", "SV_GroupID", "SV_GroupIndex", "DEPTH",     "VPOS",        "VFACE"};
-constexpr const char* kTargets[] = {"RENDERCOLORTARGET", "RENDERDEPTHSTENCILTARGET", "STANDARDSGLOBAL"};
 constexpr const char* kShaders[] = {"VertexShader",         "PixelShader",       "GeometryShader",   "SetVertexShader",
                                     "SetPixelShader",       "SetGeometryShader", "SetComputeShader", "SetBlendState",
                                     "SetDepthStencilState", "SetRasterizerState"};
@@ -143,7 +142,7 @@ void addSemantics(List& list, const Question& question, bool global) {
     if (global) {
         for (const std::string& semantic : question.semantics)
             list.add(semantic, kValue, "bound by the host");
-        for (const char* target : kTargets)
+        for (const std::string_view target : {kColorTarget, kDepthTarget, kStandardsGlobal})
             list.add(target, kValue);
         return;
     }

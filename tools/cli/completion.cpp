@@ -82,7 +82,7 @@ std::string forZsh(const std::vector<Place>& places, const std::vector<std::stri
     };
     return "#compdef tegument\n_tegument() {\n" + walk(places, "${words[2,CURRENT-1]}") + cases(places, described) +
            fmt::format("    esac\n    [ -z \"$effect\" ] || all+=({})\n", fmt::join(effects, " ")) +
-           "    _describe -o tegument all\n    _files\n}\n_tegument \"$@\"\n";
+           "    _describe tegument all\n    _files\n}\n_tegument \"$@\"\n";
 }
 
 std::string forFish(const std::vector<Place>& places, const std::vector<std::string>& effects) {

@@ -38,7 +38,7 @@
 #define TG_TEX2DLOD(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
 #define TG_FEW_SLOTS false
 #endif
-// A shader has 512 instruction slots: what only saves time is left out.
+// A shader has 512 instruction slots: what only saves time, or only smooths borders of shadows in maps, is left out.
 static const bool kTgFewSlots = TG_FEW_SLOTS;
 
 #ifndef TEGUMENT_LIBRARY

@@ -28,7 +28,7 @@ float4 gLampPlace[LAMP_VALUES] < string UIName = "Lamps: place";
     { 0.85, 0.1, 0.5, 0.0 }, { -0.7, 0.45, -0.55, 0.0 }, { 0.6, 0.5, -0.65, 0.0 } WITH_DARK_LAMPS(DARK_LAMP_PLACE) };
 float4 gLampColor[LAMP_VALUES] < string UIName = "Lamps: colour";
     string UIHelp = "irradiance / pi, linear; w: the distance where it is that, then inverse square; 0: everywhere"; > = {
-    { 0.25, 0.27, 0.30, 0.0 }, { 0.8, 0.85, 0.9, 0.0 }, { 0.6, 0.6, 0.6, 0.0 } WITH_DARK_LAMPS(DARK_LAMP_COLOR) };
+    { 0.25, 0.27, 0.30, 0.0 }, { 0.14, 0.15, 0.16, 0.0 }, { 0.12, 0.12, 0.12, 0.0 } WITH_DARK_LAMPS(DARK_LAMP_COLOR) };
 float4 gLampAxis[LAMP_VALUES] < string UIName = "Lamps: the way they shine";
     string UIHelp = "unit; w: radius; of parallel light the sine of its half angle"; > = {
     { 0.0, 0.0, -1.0, 0.25 }, LAMP_AXIS, LAMP_AXIS WITH_DARK_LAMPS(LAMP_AXIS) };

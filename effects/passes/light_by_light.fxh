@@ -34,7 +34,7 @@ LitShare skinShare(LitPoint p, float3 own)
 float4 aloneSurroundings(LitShare s)
 {
     float3 light = surroundingsLight(s.p.uv, s.p.normal, s.p.meshNormal).rgb;
-    return float4(light * (s.plain + s.skin * diffuseShare(kTgMeanCosine)) + surroundingsReflected(s.p, towardsEye(s.p)), 0.0);
+    return float4(light * (s.plain + s.skin * diffuseShare(kTgEvenCosine)) + surroundingsReflected(s.p, towardsEye(s.p)), 0.0);
 }
 #define IF_SURROUNDINGS(code) code
 #else

@@ -26,7 +26,7 @@ float3 moreCrossing(LitPoint p)
 {
     float3 sum = 0.0;
 #if TEGUMENT_SURROUNDINGS
-    sum += surroundingsLight(p.uv, p.normal, p.meshNormal).rgb * diffuseShare(kTgMeanCosine);
+    sum += surroundingsLight(p.uv, p.normal, p.meshNormal).rgb * diffuseShare(kTgEvenCosine);
 #endif
 #if TEGUMENT_LAMPS
     float3 seen = lampsSeen(p.uv);

@@ -10,8 +10,8 @@ static const float kTgSurroundingsSide = 256.0;
 static const float kTgSurroundingsStep = 0.15;
 static const float kTgSurroundingsRoughest = 3.0;
 static const float kTgSurroundingsDiffuse = 4.0;
-// Mean cosine of light that comes evenly from a hemisphere, weighed by that cosine.
-static const float kTgMeanCosine = 2.0 / 3.0;
+// Cosine at which the surface mirrors as much as of light that comes evenly from a hemisphere: .48 to .50 for m of .1 to .5.
+static const float kTgEvenCosine = 0.495;
 
 float tgSurroundingsLevel(float roughness)
 {

@@ -26,8 +26,8 @@ constexpr double kStudioBesideLamps = 0.35;
 /// A fill from the left in front, a rim from the right behind and one from the left behind, parallel (docs/settings.md).
 std::vector<reference::Lamp> portraitLamps() {
     return {{.place = {0.85, 0.1, 0.5, 0}, .colour = {0.25, 0.27, 0.30, 0}},
-            {.place = {-0.7, 0.45, -0.55, 0}, .colour = {0.8, 0.85, 0.9, 0}},
-            {.place = {0.6, 0.5, -0.65, 0}, .colour = {0.6, 0.6, 0.6, 0}}};
+            {.place = {-0.7, 0.45, -0.55, 0}, .colour = {0.14, 0.15, 0.16, 0}},
+            {.place = {0.6, 0.5, -0.65, 0}, .colour = {0.12, 0.12, 0.12, 0}}};
 }
 
 void addLamps(LightSet& set) {

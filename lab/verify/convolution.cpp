@@ -140,7 +140,7 @@ Result<void> verifyPoisson(ModuleReport& report, const Context& context, const S
     const int size = context.options.mapSize;
     const reference::Discs discs = corrected ? reference::Discs{.size = 2.4} : reference::Discs{.size = 4, .turn = 0, .asPrinted = true};
     const auto run = render(
-        context,
+        context, scene,
         {.effect = "Convolution.fx",
          .technique = "Poisson",
          .size = size,

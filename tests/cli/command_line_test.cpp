@@ -249,7 +249,7 @@ TEST(Help, completions_name_every_command_its_options_and_effects) {
         const std::string last = command.back();
         const auto named = offered(command);
         EXPECT_NE(std::ranges::find(named, last), named.end()) << last;
-        command.emplace_back("--he");
+        command.emplace_back("--help");
         EXPECT_EQ(offered(command), std::vector<std::string>{"--help"}) << last;
     }
     EXPECT_EQ(offered({"tegument", "render", "Stret"}), std::vector<std::string>{"Stretch"});

@@ -91,7 +91,16 @@ const std::vector<Exception>& exceptions() {
         "alpha is exp(-0.2 t) of a thickness that is the difference of two depths near 1,300 mm, whose last "
         "bit is 1.2e-4 mm, and t counts in mm";
     static const std::string kSpread = "a depth one step apart turns a comparison at the edge of a shadow: one texel, which blurs carry on";
+    static const std::string kBorders =
+        "shader model 3 has no slots for planes of facets, nor for the nearest texels of the shadow map, where light "
+        "enters the atlas: borders of shadows are another texel there";
     static const std::vector<Exception> all = {
+        {Engine::Direct3D9, "Pyramid_", "gEntry", 0.3, 0.15, kBorders},
+        {Engine::Direct3D9, "Pyramid_", "gLight", 0.1, 0.03, kBorders},
+        {Engine::Direct3D9, "Pyramid_", "picture", 0.06, 0.025, kBorders},
+        {Engine::Direct3D9, "PyramidLamps3Around_", "gEntry", 0.3, 0.15, kBorders},
+        {Engine::Direct3D9, "PyramidLamps3Around_", "gLight", 0.1, 0.03, kBorders},
+        {Engine::Direct3D9, "PyramidLamps3Around_", "picture", 0.02, 0.01, kBorders},
         {Engine::Direct3D9, "Convolution_", "gIrradiance", 5e-3, 0.25, kRounding},
         {Engine::Direct3D9, "Main_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},
         {Engine::Direct3D9, "MainLamps1_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},

@@ -30,9 +30,8 @@ struct PortraitOptions {
 };
 
 /// Before what the command line sets, which wins.
-constexpr std::array<const char*, 5> kStudio = {"TEGUMENT_SURROUNDINGS=1", "TEGUMENT_LAMPS=3", "gSurroundings=0.35",
-                                                "gLightColor=1.1,1.05,1",
-                                                "gLampColor=0.25,0.27,0.3,0,0.3,0.32,0.34,0,0.22,0.22,0.22,0"}; // rims that do not blind
+constexpr std::array<const char*, 4> kStudio = {"TEGUMENT_SURROUNDINGS=1", "TEGUMENT_LAMPS=3", "gSurroundings=0.35",
+                                                "gLightColor=1.1,1.05,1"};
 
 JobOptions jobOf(const PortraitOptions& options) {
     JobOptions job = options.job;

@@ -100,7 +100,7 @@ const std::vector<Exception>& exceptions() {
         {Engine::Direct3D9, "Pyramid_", "picture", 0.06, 0.025, kBorders},
         {Engine::Direct3D9, "PyramidLamps3Around_", "gEntry", 0.3, 0.15, kBorders},
         {Engine::Direct3D9, "PyramidLamps3Around_", "gLight", 0.1, 0.03, kBorders},
-        {Engine::Direct3D9, "PyramidLamps3Around_", "picture", 0.02, 0.01, kBorders},
+        {Engine::Direct3D9, "PyramidLamps3Around_", "picture", 0.06, 0.025, kBorders},
         {Engine::Direct3D9, "Convolution_", "gIrradiance", 5e-3, 0.25, kRounding},
         {Engine::Direct3D9, "Main_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},
         {Engine::Direct3D9, "MainLamps1_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},

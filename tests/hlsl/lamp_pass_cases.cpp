@@ -181,12 +181,12 @@ std::vector<FunctionCase> sums() {
         lampCase("moreReflected", std::string(kPoint) + "return float4(moreReflected(p, tgSafeNormalize(gCameraPosition - p.world)), 0);",
                  pointArguments(),
                  [](const Inputs& x) { return values(skyMirrored(x) + lampMirrored(x, 0) + lampMirrored(x, 1) + lampMirrored(x, 2)); }));
-    // Of surroundings the skin is entered by as much as at the mean cosine of a hemisphere weighed by that cosine: 1/3 over 1/2.
+    // Of surroundings the skin is entered by as much as at the cosine that mirrors the mean of even light.
     std::vector<glm::dvec4> albedo;
     for (int column = 0; column < 64; ++column)
         albedo.emplace_back(0.1 + 0.01 * column, 0.02, 0, 0);
     cases.push_back(lampCase("moreCrossing", std::string(kPoint) + "return float4(moreCrossing(p), 0);", pointArguments(),
-                             [at = albedo[64 * 2 / 3]](const Inputs& x) {
+                             [at = albedo[64 * 495 / 1000]](const Inputs& x) {
                                  return values(glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * (1 - kSkinIntensity * (at.x + at.y)));
                              },
                              {{"TEGUMENT_SURROUNDINGS", "1"}}));

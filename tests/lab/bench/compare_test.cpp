@@ -377,7 +377,7 @@ TEST_F(Pyramids, links_bring_light_around_a_small_sphere) {
 TEST_F(Pyramids, links_bring_light_across_charts_and_from_one_body_to_another) {
     const auto e = errors("lobes", {"Pyramid", "PyramidLinked", "DEonLuebke", "PyramidCompute"});
     EXPECT_LT(e[1], 0.0079);
-    EXPECT_NEAR(e[3], e[1], 0.01 * e[1]) << "compute shaders follow the same links";
+    EXPECT_NEAR(e[3], e[1], 0.02 * e[1]) << "compute shaders follow the same links; planes of facets are by neighbouring pixels there";
     EXPECT_LT(e[1], 0.5 * e[0]);
     EXPECT_LT(e[1], 0.5 * e[2]);
 }

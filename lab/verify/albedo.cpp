@@ -44,20 +44,6 @@ Mesh albedoBall() {
     return mesh;
 }
 
-/// In z = 0, facing +z.
-Mesh albedoPlane(float half) {
-    Mesh mesh;
-    mesh.name = "plane";
-    mesh.positions = {{-half, half, 0}, {-half, -half, 0}, {half, half, 0}, {half, -half, 0}};
-    mesh.normals.assign(4, {0, 0, 1});
-    mesh.tangents.assign(4, {1, 0, 0, 1});
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
-    mesh.indices = {0, 1, 2, 2, 1, 3};
-    mesh.parts = {{.name = "plane", .firstIndex = 0, .indexCount = 6}};
-    computeBounds(mesh);
-    return mesh;
-}
-
 /// Parallel light from a direction, of colour 1: irradiance pi on what faces it.
 Workspace litFrom(const glm::dvec3& direction) {
     Workspace workspace = worldWorkspace();
@@ -84,7 +70,7 @@ Result<double> albedoAlongNormal(const Context& context) {
     workspace.camera.horizontalFov = static_cast<float>(360 * kHalfAngle / kPi);
     workspace.camera.nearPlane = kHeight / 2;
     workspace.camera.farPlane = 2 * kHeight;
-    const auto image = drawnSpecular(context, albedoPlane(static_cast<float>(1.1 * kHeight * reach)), workspace);
+    const auto image = drawnSpecular(context, squareMesh(static_cast<float>(1.1 * kHeight * reach)), workspace);
     if (!image) return image.error();
     const double step = 2 * reach / kAlbedoSize;
     double sum = 0;

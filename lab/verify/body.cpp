@@ -97,6 +97,19 @@ Mesh verificationMesh() {
 
 namespace verify {
 
+Mesh squareMesh(float half) {
+    Mesh mesh;
+    mesh.name = "plane";
+    mesh.positions = {{-half, half, 0}, {-half, -half, 0}, {half, half, 0}, {half, -half, 0}};
+    mesh.normals.assign(4, {0, 0, 1});
+    mesh.tangents.assign(4, {1, 0, 0, 1});
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    mesh.indices = {0, 1, 2, 2, 1, 3};
+    mesh.parts = {{.name = "plane", .firstIndex = 0, .indexCount = 6}};
+    computeBounds(mesh);
+    return mesh;
+}
+
 Scene sceneOf(const VerifyOptions& options) {
     if (options.mesh && options.workspace) return {*options.mesh, *options.workspace};
     Scene scene{verificationMesh(), worldWorkspace()};

@@ -35,21 +35,6 @@ struct DrawnEdge {
 constexpr std::array kMaps = {"gIrradianceMap",  "gIrradiance2Map", "gIrradiance3Map",
                               "gIrradiance4Map", "gIrradiance5Map", "gIrradiance6Map"};
 
-/// A square in the plane z = 0 that fills the map, `texel` mm to a texel.
-Mesh plane(double texel, int size) {
-    const auto half = static_cast<float>(0.5 * texel * size);
-    Mesh mesh;
-    mesh.name = "plane";
-    mesh.positions = {{-half, half, 0}, {-half, -half, 0}, {half, half, 0}, {half, -half, 0}};
-    mesh.normals.assign(4, {0, 0, 1});
-    mesh.tangents.assign(4, {1, 0, 0, 1});
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
-    mesh.indices = {0, 1, 2, 2, 1, 3};
-    mesh.parts = {{.name = "plane", .firstIndex = 0, .indexCount = 6}};
-    computeBounds(mesh);
-    return mesh;
-}
-
 /// Colour that makes the light an edge: black, white, and between them the texel that the edge crosses, by its share. With gMix = 1 all of
 /// the colour is taken before diffusion. Floats, which are taken as linear.
 Image edgeColour(int size, double phase) {
@@ -95,7 +80,7 @@ double DrawnEdge::variance(std::size_t map) const {
 
 Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
     const int size = context.options.mapSize;
-    Mesh mesh = plane(texel, size);
+    Mesh mesh = verify::squareMesh(static_cast<float>(0.5 * texel * size));
     mesh.textures = {{.role = "color", .image = edgeColour(size, phase)}};
     Workspace workspace = worldWorkspace();
     workspace.camera.position = {0, 0, 500};

@@ -12,6 +12,9 @@ struct Scene {
     Workspace workspace;
 };
 
+/// A square in z = 0, facing +z, `half` of its side from the middle each way (mm); it fills its texture.
+[[nodiscard]] Mesh squareMesh(float half);
+
 /// The options' mesh and workspace, else the built-in body under a light from the upper left, in front.
 [[nodiscard]] Scene sceneOf(const VerifyOptions& options);
 

@@ -86,9 +86,15 @@ class View:
         return self.wait(f"'{part}' in the title", lambda: part in self.screen.title() and self.screen.title())
 
     def worked(self):
-        """Ticks (10 ms) of processor time that the program has used."""
-        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        return int(fields[11]) + int(fields[12])
+        """Seconds in which its threads ran or waited for a processor: on a busy machine one that waits has work, too."""
+        total = 0
+        for task in pathlib.Path(f"/proc/{self.process.pid}/task").iterdir():
+            try:
+                ran, waited, _ = (task / "schedstat").read_text().split()
+                total += int(ran) + int(waited)
+            except OSError:
+                continue  # the thread has ended
+        return total / 1e9
 
     def still(self, unlike=None):
         """The screen once it stays the same while the program rests, and is not `unlike`."""
@@ -97,7 +103,7 @@ class View:
         def settled():
             time.sleep(0.4)
             now, worked = self.screen.grab(), self.worked()
-            rests = now == last[0] and worked - last[1] <= 2  # it looks at its files now and then
+            rests = now == last[0] and abs(worked - last[1]) <= 0.03  # it looks at its files now and then; a thread that ended had worked
             last[:] = now, worked
             return now if rests and (unlike is None or now != unlike) else None
 

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kStartSeconds = 60;
+constexpr int kStarts = 3;
 constexpr std::size_t kMostProcesses = 8;
 
 Error notRunnable(std::string text, std::string hint = {}) {
@@ -113,13 +114,15 @@ public:
         return driverProcess(folder, std::move(arguments));
     }
 
-    /// One process after the other until every job is claimed; a process that ends early takes one job with it.
+    /// One process after the other until every job is claimed; a process that ends early takes one job with it. One that ends before its
+    /// first job is started again: Wine's server, ending after the last program, can take a new one with it.
     Result<void> work(const ProcessCommand& command) {
-        for (;;) {
+        for (int left = kStarts;;) {
             auto process = BackgroundProcess::start(command);
             if (!process) return process.error();
             const Ended ended = follow(*process);
             if (ended.regular) return {};
+            if (!ended.at && !ended.timedOut && --left > 0) continue;
             if (!ended.at || results_[*ended.at]) return notStarted(ended); // each job is claimed once: Wine says what it should not
             results_[*ended.at] = failedJob(jobs_[*ended.at], 3103, broughtDown(jobs_[*ended.at], ended.timedOut));
         }

@@ -32,6 +32,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/coarse_levels.fxh"
 #include "passes/profile.fxh"
 #include "passes/flesh.fxh"
+#include "passes/tone.fxh"
 #include "passes/planar_shadow.fxh"
 #include "passes/atlas.fxh"
 #include "passes/relight.fxh"

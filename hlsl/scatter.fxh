@@ -3,6 +3,7 @@
 #include "../hlsl/surface.fxh"
 #include "../hlsl/scatter/profile.fxh"
 #include "../hlsl/scatter/flesh.fxh"
+#include "../hlsl/scatter/tone.fxh"
 #include "../hlsl/scatter/irradiance.fxh"
 #include "../hlsl/scatter/seam.fxh"
 #include "../hlsl/scatter/kernel.fxh"

@@ -5,10 +5,5 @@
 float4 gFlesh < string UIName = "Light through flesh (RGB)";
     string UIHelp = "c of 1 + c h, per mm: about 1.1 times the tissue's effective attenuation"; > = { 0.0, 0.0, 0.0, 0.0 };
 
-bool fleshPasses()
-{
-    return max(gFlesh.x, max(gFlesh.y, gFlesh.z)) > 0.0;
-}
-
 #endif
 // SPDX-License-Identifier: MIT

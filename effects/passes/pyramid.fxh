@@ -21,7 +21,7 @@ static const float2 kLinkedVariances = float2(1.9, 12.0);
 // Variances of the fifth and sixth Gaussian.
 float2 linkedVariances()
 {
-    return float2(gGaussianWeight[4].w, gGaussianWeight[5].w);
+    return float2(profileVariance(4), profileVariance(5));
 }
 
 bool linksBring(float variance)
@@ -150,6 +150,16 @@ AtlasPlace atlasPlace(float2 uv)
     return at;
 }
 
+float3 fleshFactor()
+{
+    return toneGiven() ? tgToneFlesh(gBlood) : gFlesh.rgb;
+}
+
+bool fleshPasses()
+{
+    return toneGiven() || max(gFlesh.x, max(gFlesh.y, gFlesh.z)) > 0.0;
+}
+
 // What bent skin lets through more at a level, by its neighbours a texel of that level away. size: of its map; variance: mm^2.
 float3 levelFlesh(float2 uv, float size, float variance)
 {
@@ -164,7 +174,7 @@ float3 levelFlesh(float2 uv, float size, float variance)
             AtlasPlace there = atlasPlace(uv + step / size);
             sum += there.covered * float2(tgFleshCurvature(here.place, here.normal, there.place, there.normal), 1.0);
         }
-        share = tgFleshShare(gFlesh.rgb, here.covered * sum.x / sum.y, variance);
+        share = tgFleshShare(fleshFactor(), here.covered * sum.x / sum.y, variance);
     }
     return share;
 }

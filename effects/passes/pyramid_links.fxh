@@ -180,7 +180,7 @@ float3 linkFlesh(float2 uv, AtlasPlace here)
     [branch] if (fleshPasses())
     {
         AtlasPlace there = atlasPlace(uv);
-        share += gFlesh.rgb * (here.covered * there.covered * tgFleshUnder(here.place, here.normal, there.place, there.normal));
+        share += fleshFactor() * (here.covered * there.covered * tgFleshUnder(here.place, here.normal, there.place, there.normal));
     }
     return share;
 }
@@ -191,10 +191,27 @@ float3 linkFlesh(float2 uv, AtlasPlace here)
 #define LINK_FLESH(link) linkFlesh(abs(link.xy), here)
 #endif
 
-// weights: of the fifth and sixth Gaussian.
-float3 linkLight(float2 weights, float4 source)
+// Colours of the fifth and sixth Gaussian.
+struct LinkColours
 {
-    float3 share = weights.x * gGaussianWeight[4].rgb + weights.y * gGaussianWeight[5].rgb;
+    float3 fifth;
+    float3 sixth;
+};
+
+LinkColours linkColours()
+{
+    LinkColours colours;
+    colours.fifth = gGaussianWeight[4].rgb; // beside a tone levels bring it
+    colours.sixth = gGaussianWeight[5].rgb;
+    [branch] if (toneGiven())
+        colours.sixth = ladderWeight(kTgLadderGaussians + 5.0, 1.0);
+    return colours;
+}
+
+// weights: of the fifth and sixth Gaussian.
+float3 linkLight(float2 weights, LinkColours colours, float4 source)
+{
+    float3 share = weights.x * colours.fifth + weights.y * colours.sixth;
     return share * source.rgb / max(source.a, kLeastSource);
 }
 
@@ -248,12 +265,13 @@ float4 name(float2 uv, float2 slot, float3 sheet, float lists, float first, floa
     float3 sum = 0.0; \
     float last = lists > 0.5 ? min(sheet.x * sheet.x, kMostLinks) - 1.0 : -1.0; \
     float2 scale = float2(fifth, 1.0) * linkScale(slot, sheet.x, last); \
+    LinkColours colours = linkColours(); \
     LINK_RECEIVER(uv) \
     [loop] for (float k = first; k <= last; k += apart) \
     { \
         float4 link = linkOf(slot, k, sheet.x); \
         last = link.x == 0.0 ? -1.0 : last; \
-        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : LINK_FLESH(link) * linkLight(scale * linkWeights(link), sourceOf(link)); \
+        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : LINK_FLESH(link) * linkLight(scale * linkWeights(link), colours, sourceOf(link)); \
     } \
     return float4(sum, 0.0); \
 }

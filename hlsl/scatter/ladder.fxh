@@ -9,13 +9,14 @@
 // Levels above the base.
 static const float kTgLadderTop = 6.0;
 // Columns of a table over the binary logarithm of the density, from kTgLadderFirst in steps of 1 / kTgLadderFineness; its rows are the
-// steps, for the whole profile, for its first four Gaussians, for what links bring of the fourth, and for the fifth; a power of two of
-// them, so that the middle of each is a number without rounding.
+// steps, for the whole profile, for its first four Gaussians, for what links bring of the fourth, and for the fifth; then the six
+// Gaussians themselves, weights and variance; a power of two of them, so that the middle of each is a number without rounding.
 static const float kTgLadderColumns = 160.0;
 static const float kTgLadderFirst = -6.0;
 static const float kTgLadderFineness = 8.0;
 static const float kTgLadderSteps = 8.0;
-static const float kTgLadderRows = 32.0;
+static const float kTgLadderGaussians = 32.0; // the first of their rows
+static const float kTgLadderRows = 64.0;
 // Present in every level: a texel's own square (1/12) and the bilinear look-up (1/6), texels^2 of the base.
 static const float kTgLadderPresent = 1.0 / 12.0 + 1.0 / 6.0;
 // Variance of the pixel's own Gaussian, mm^2: its shadow is filtered as widely (shadow/planar.fxh). A level that is hardly wider is left

@@ -1,6 +1,7 @@
 // Skin by its melanin and blood, and brute force with the factor 1 + c h against photons in the same shape: the tables of
 // docs/design/skin-error.md, "Every tone" and "Bent skin", and what effects/*.presets.json have of six skins.
-//   skin_tones tones|bodies [--photons N] [--seed N]
+//   skin_tones tones|bodies|table [--photons N] [--seed N]
+// table: the numbers of hlsl/scatter/tone.fxh, and how far skins off its nodes are from other photons.
 
 #include "lab/bench/shapes.h"
 #include "lab/reference/bssrdf.h"
@@ -15,6 +16,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 
 namespace tegument::reference {
 
@@ -27,14 +29,15 @@ struct Settings {
 
 struct NamedTone {
     const char* name;
-    SkinTone tone;
+    double melanin, blood;
+    [[nodiscard]] SkinTone tone() const { return toneOf(melanin, blood); }
 };
-constexpr std::array<NamedTone, 6> kTones = {{{"very light", {.006, .004, .6}},
-                                              {"light", {.014, .006, .6}},
-                                              {"intermediate", {.028, .008, .65}},
-                                              {"tan", {.042, .009, .7}},
-                                              {"brown", {.10, .010, .8}},
-                                              {"dark", {.18, .010, .9}}}};
+constexpr std::array<NamedTone, 6> kTones = {{{"very light", .006, .004},
+                                              {"light", .014, .006},
+                                              {"intermediate", .028, .008},
+                                              {"tan", .042, .009},
+                                              {"brown", .10, .010},
+                                              {"dark", .18, .010}}};
 /// The skin that the default head's colour map shows.
 constexpr std::size_t kMapTone = 1;
 /// nm: what stands for red, green and blue where one wavelength must.
@@ -50,7 +53,7 @@ void tones(const Settings& settings) {
     const WhitePhotons photons(settings.photons, settings.seed);
     std::vector<ToneResponse> responses;
     for (const NamedTone& named : kTones)
-        responses.push_back(photons.response(named.tone));
+        responses.push_back(photons.response(named.tone()));
     fmt::print("{} photons at each of nine wavelengths, seed {}\n\n", settings.photons, settings.seed);
     fmt::print(
         "| skin | melanin, blood | L* a* b* | angle | albedo, R / G / B | 50 % within, mm | 95 % | largest error of an edge | c, per mm "
@@ -72,11 +75,11 @@ void tones(const Settings& settings) {
             half[c] = rings.radiusOf(.5);
             most[c] = rings.radiusOf(.95);
         }
-        const glm::dvec3 flesh = fleshFactor(kTones.at(i).tone);
+        const glm::dvec3 flesh = fleshFactor(kTones.at(i).tone());
         fmt::print(
             "| {} | {} {} | {:.1f} {:.1f} {:.1f} | {:.0f} {} | {:.3f} / {:.3f} / {:.3f} | {:.2f} / {:.2f} / {:.2f} | {:.2f} / {:.2f} / "
             "{:.2f} | {:.3f} / {:.3f} / {:.3f} | {:.2f} / {:.2f} / {:.2f} |\n",
-            kTones.at(i).name, kTones.at(i).tone.melanin, kTones.at(i).tone.blood, color.lightness, color.a, color.b, color.typologyAngle(),
+            kTones.at(i).name, kTones.at(i).melanin, kTones.at(i).blood, color.lightness, color.a, color.b, color.typologyAngle(),
             typologyOf(color.typologyAngle()), r.albedo.x, r.albedo.y, r.albedo.z, half.x, half.y, half.z, most.x, most.y, most.z, worst.x,
             worst.y, worst.z, flesh.x, flesh.y, flesh.z);
     }
@@ -84,7 +87,7 @@ void tones(const Settings& settings) {
                kTones.at(kMapTone).name);
     for (std::size_t i = 0; i < kTones.size(); ++i) {
         const glm::dvec3 share = responses[i].albedo / responses[kMapTone].albedo;
-        const glm::dvec3 flesh = fleshFactor(kTones.at(i).tone);
+        const glm::dvec3 flesh = fleshFactor(kTones.at(i).tone());
         fmt::print("\"{}\": \"gGaussianWeight\": [", kTones.at(i).name);
         const Profile profile = fittedProfile(responses[i]);
         for (std::size_t k = 0; k < profile.size(); ++k) {
@@ -93,6 +96,62 @@ void tones(const Settings& settings) {
         }
         fmt::print("], \"gFlesh\": [{:.2f}, {:.2f}, {:.2f}, 0]\n", flesh.x, flesh.y, flesh.z);
     }
+}
+
+void printColors(const char* name, std::span<const glm::dvec3> colors) {
+    fmt::print("static const float3 {}[{}] = {{\n", name, colors.size());
+    for (const glm::dvec3& color : colors)
+        fmt::print("    float3({:.5f}, {:.5f}, {:.5f}){}\n", color.x, color.y, color.z, &color == &colors.back() ? "" : ",");
+    fmt::print("}};\n");
+}
+
+void table(const Settings& settings) {
+    const ToneTable table = fittedTable(WhitePhotons(settings.photons, settings.seed));
+    std::vector<glm::dvec3> weights;
+    std::vector<glm::dvec3> albedo(kToneTerms, glm::dvec3(0));
+    for (const auto& gaussian : table)
+        for (std::size_t t = 0; t < kToneTerms; ++t) {
+            weights.push_back(gaussian.at(t));
+            albedo[t] += gaussian.at(t);
+        }
+    std::array<glm::dvec3, 3> dermis{};
+    for (int c = 0; c < 3; ++c) {
+        const LayerOptics without = fleshOf({.blood = 0}, kColors.at(static_cast<std::size_t>(c))).dermis;
+        dermis[0][c] = without.scattering;
+        dermis[1][c] = without.absorption;
+        dermis[2][c] = fleshOf({.blood = 1}, kColors.at(static_cast<std::size_t>(c))).dermis.absorption;
+    }
+    printColors("kTgToneWeight", weights);
+    printColors("kTgToneAlbedo", albedo);
+    printColors("kTgToneDermis", dermis);
+    constexpr int kSkins = 24;
+    constexpr double kFairlyDark = 0.1; // melanin, up to which edges are promised
+    constexpr double kSeen = 0.05;      // albedo, from which on it is promised
+    const WhitePhotons others(settings.photons, settings.seed + 1);
+    std::mt19937_64 random(settings.seed);
+    const auto between = [&](const std::array<double, 2>& range) {
+        return range[0] * std::pow(range[1] / range[0], std::generate_canonical<double, 53>(random));
+    };
+    glm::dvec3 edge(0);
+    glm::dvec3 relative(0);
+    for (int i = 0; i < kSkins; ++i) {
+        const double melanin = between(kToneMelanin);
+        const double blood = between(kToneBlood);
+        const ToneResponse truth = others.response(toneOf(melanin, blood));
+        const Profile profile = profileOf(table, melanin, blood);
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (const Gaussian& gaussian : profile)
+                sum += gaussian.weight[c];
+            if (truth.albedo[c] >= kSeen) relative[c] = std::max(relative[c], std::abs(sum / truth.albedo[c] - 1));
+            for (double x = 0.02; x < 25 && melanin <= kFairlyDark; x *= 1.15)
+                edge[c] =
+                    std::max(edge[c], std::abs(halfPlane(profile, x)[c] / sum - halfPlane(truth.rings.at(static_cast<std::size_t>(c)), x)));
+        }
+    }
+    fmt::print(
+        "// {} skins by other photons: edge {:.4f} / {:.4f} / {:.4f} up to melanin .1, albedo {:.1f} / {:.1f} / {:.1f} % from .05 on\n",
+        kSkins, edge.x, edge.y, edge.z, 100 * relative.x, 100 * relative.y, 100 * relative.z);
 }
 
 /// Photons at one wavelength in each channel, absorbed on their way.
@@ -179,7 +238,7 @@ BodyError ballError(double radius, std::size_t color, const Half& half, const gl
 }
 
 void bodies(const Settings& settings) {
-    const SkinTone tone = kTones.at(kMapTone).tone;
+    const SkinTone tone = kTones.at(kMapTone).tone();
     const Half half = halfSpace(tone, settings);
     const glm::dvec3 flesh = fleshFactor(tone);
     fmt::print("{} photons, seed {}; \"light\" skin at 620, 540 nm; c = {:.2f}, {:.2f} per mm\n\n", settings.photons, settings.seed,
@@ -220,12 +279,12 @@ int run(int argc, char** argv) {
     CLI::App program("Skin by its melanin and blood", "skin_tones");
     program.require_subcommand(1);
     program.fallthrough();
-    const CLI::App* all = program.add_subcommand("tones", "Six skins: colours, profiles, presets");
-    program.add_subcommand("bodies", "Brute force against photons in balls and slabs");
+    program.add_subcommand("tones", "Six skins: colours, profiles, presets")->callback([&] { tones(settings); });
+    program.add_subcommand("bodies", "Brute force against photons in balls and slabs")->callback([&] { bodies(settings); });
+    program.add_subcommand("table", "The numbers of hlsl/scatter/tone.fxh")->callback([&] { table(settings); });
     program.add_option("--photons", settings.photons, "For each wavelength and shape")->capture_default_str();
     program.add_option("--seed", settings.seed, "Of the random numbers")->capture_default_str();
     CLI11_PARSE(program, argc, argv);
-    all->parsed() ? tones(settings) : bodies(settings);
     return 0;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <random>
 
 namespace tegument::reference {
@@ -170,63 +172,209 @@ ToneResponse WhitePhotons::response(const SkinTone& tone) const {
 
 namespace {
 
-/// Weights that sum to 1, none below 0, for the least sum of squares: from each Gaussian to each other the best amount, again and again.
-std::array<double, 6> leastSquares(const std::vector<std::array<double, 6>>& rows, const std::vector<double>& target) {
-    constexpr int kRounds = 2000;
-    std::array<double, 6> weights{};
-    weights.fill(1.0 / 6);
-    std::vector<double> rest = target;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < 6; ++k)
-            rest[i] -= weights.at(k) * rows[i].at(k);
-    for (int round = 0; round < kRounds; ++round)
-        for (std::size_t a = 1; a < 6; ++a)
-            for (std::size_t b = 0; b < a; ++b) {
-                double slope = 0;
-                double curve = 0;
-                for (std::size_t i = 0; i < rows.size(); ++i) {
-                    const double way = rows[i].at(a) - rows[i].at(b);
-                    slope += rest[i] * way;
-                    curve += way * way;
-                }
-                const double moved = std::clamp(1.6 * slope / curve, -weights.at(a), weights.at(b));
-                weights.at(a) += moved;
-                weights.at(b) -= moved;
-                for (std::size_t i = 0; i < rows.size(); ++i)
-                    rest[i] -= moved * (rows[i].at(a) - rows[i].at(b));
+/// What the edge of light and the share within a radius are compared at, mm.
+constexpr std::size_t kFitPlaces = 70;
+double fitPlace(std::size_t i) {
+    constexpr double kNearest = 0.02;
+    constexpr double kFarthest = 25;
+    return kNearest * std::pow(kFarthest / kNearest, static_cast<double>(i) / (kFitPlaces - 1));
+}
+
+/// Both at each place for a Gaussian, of 1; last the sum, which counts as all places of one curve do.
+using FitRow = std::array<double, 2 * kFitPlaces + 1>;
+constexpr double kSumCounts = 8;
+FitRow rowOf(double variance) {
+    FitRow row{};
+    for (std::size_t i = 0; i < kFitPlaces; ++i) {
+        const double x = fitPlace(i);
+        row.at(i) = 0.5 * (1 + std::erf(x / std::sqrt(2 * variance)));
+        row.at(kFitPlaces + i) = 1 - std::exp(-x * x / (2 * variance));
+    }
+    row.back() = kSumCounts;
+    return row;
+}
+FitRow rowOf(const RingHistogram& rings) {
+    FitRow row{};
+    for (std::size_t i = 0; i < kFitPlaces; ++i) {
+        row.at(i) = halfPlane(rings, fitPlace(i));
+        row.at(kFitPlaces + i) = rings.within(fitPlace(i)) / rings.total();
+    }
+    row.back() = kSumCounts;
+    return row;
+}
+
+/// Least squares with no unknown below 0, by the normal equations (Lawson and Hanson 1974, algorithm NNLS): unknowns above 0 solve theirs
+/// exactly, and the one by which the error falls fastest joins them, until there is none.
+class NonNegative {
+public:
+    explicit NonNegative(std::size_t unknowns) : unknowns_(unknowns), matrix_(unknowns * unknowns, 0.0), right_(unknowns, 0.0) {}
+    void add(const std::vector<double>& row, double target) {
+        for (std::size_t i = 0; i < unknowns_; ++i) {
+            right_[i] += row[i] * target;
+            for (std::size_t j = 0; j < unknowns_; ++j)
+                matrix_[i * unknowns_ + j] += row[i] * row[j];
+        }
+    }
+    [[nodiscard]] std::vector<double> solve() const {
+        std::vector<double> x(unknowns_, 0.0);
+        std::vector<std::size_t> above;
+        for (std::size_t round = 0; round < 3 * unknowns_; ++round) {
+            std::optional<std::size_t> steepest;
+            double most = kLeastSlope * *std::ranges::max_element(right_);
+            for (std::size_t i = 0; i < unknowns_; ++i) {
+                double slope = right_[i];
+                for (const std::size_t j : above)
+                    slope -= matrix_[i * unknowns_ + j] * x[j];
+                if (slope <= most || std::ranges::find(above, i) != above.end()) continue;
+                most = slope;
+                steepest = i;
             }
-    return weights;
+            if (!steepest) break;
+            above.push_back(*steepest);
+            while (!moveTo(x, solved(above), above)) {
+            }
+        }
+        return x;
+    }
+
+private:
+    static constexpr double kLeastSlope = 1e-10;
+    static constexpr double kRidge = 1e-10; // of the diagonal: neighbouring polynomials are nearly alike
+
+    /// As far as all stay above 0; those that get there leave. Whether the whole way was gone.
+    static bool moveTo(std::vector<double>& x, const std::vector<double>& target, std::vector<std::size_t>& above) {
+        double part = 1;
+        for (std::size_t i = 0; i < above.size(); ++i)
+            if (target[i] <= 0) part = std::min(part, x[above[i]] / (x[above[i]] - target[i]));
+        for (std::size_t i = 0; i < above.size(); ++i)
+            x[above[i]] += part * (target[i] - x[above[i]]);
+        if (part == 1) return true;
+        std::erase_if(above, [&](std::size_t i) { return x[i] < 1e-14 ? (x[i] = 0, true) : false; });
+        return false;
+    }
+
+    /// Of the chosen unknowns alone, by Cholesky's factors.
+    [[nodiscard]] std::vector<double> solved(const std::vector<std::size_t>& chosen) const {
+        const std::size_t n = chosen.size();
+        std::vector<double> l(n * n);
+        std::vector<double> y(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) {
+                double sum = matrix_[chosen[i] * unknowns_ + chosen[j]] * (i == j ? 1 + kRidge : 1);
+                for (std::size_t k = 0; k < j; ++k)
+                    sum -= l[i * n + k] * l[j * n + k];
+                l[i * n + j] = i == j ? std::sqrt(sum) : sum / l[j * n + j];
+            }
+            y[i] = right_[chosen[i]];
+            for (std::size_t k = 0; k < i; ++k)
+                y[i] -= l[i * n + k] * y[k];
+            y[i] /= l[i * n + i];
+        }
+        for (std::size_t i = n; i-- > 0;) {
+            for (std::size_t k = i + 1; k < n; ++k)
+                y[i] -= l[k * n + i] * y[k];
+            y[i] /= l[i * n + i];
+        }
+        return y;
+    }
+
+    std::size_t unknowns_;
+    std::vector<double> matrix_, right_;
+};
+
+double bernstein(int degree, int k, double t) {
+    double choose = 1;
+    for (int i = 0; i < k; ++i)
+        choose = choose * (degree - i) / (i + 1);
+    return choose * std::pow(t, k) * std::pow(1 - t, degree - k);
 }
 
 } // namespace
 
 Profile fittedProfile(const ToneResponse& response) {
-    constexpr int kFitPlaces = 70;
-    constexpr double kNearest = 0.02; // mm, to
-    constexpr double kFarthest = 25;
     Profile profile;
     for (const double width : kToneWidths)
         profile.push_back({width * width, glm::dvec3(0)});
-    std::vector<std::array<double, 6>> rows;
-    for (int i = 0; i < 2 * kFitPlaces; ++i) {
-        const double x = kNearest * std::pow(kFarthest / kNearest, static_cast<double>(i % kFitPlaces) / (kFitPlaces - 1));
-        std::array<double, 6> row{};
-        for (std::size_t k = 0; k < 6; ++k) {
-            const double v = profile[k].variance;
-            row.at(k) = i < kFitPlaces ? 0.5 * (1 + std::erf(x / std::sqrt(2 * v))) : 1 - std::exp(-x * x / (2 * v));
-        }
-        rows.push_back(row);
-    }
     for (int c = 0; c < 3; ++c) {
-        const RingHistogram& rings = response.rings.at(static_cast<std::size_t>(c));
-        std::vector<double> target;
-        for (int i = 0; i < 2 * kFitPlaces; ++i) {
-            const double x = kNearest * std::pow(kFarthest / kNearest, static_cast<double>(i % kFitPlaces) / (kFitPlaces - 1));
-            target.push_back(i < kFitPlaces ? halfPlane(rings, x) : rings.within(x) / rings.total());
+        const FitRow target = rowOf(response.rings.at(static_cast<std::size_t>(c)));
+        NonNegative fit(profile.size());
+        std::vector<FitRow> columns;
+        for (const Gaussian& gaussian : profile)
+            columns.push_back(rowOf(gaussian.variance));
+        for (std::size_t i = 0; i < target.size(); ++i) {
+            std::vector<double> row;
+            for (const FitRow& column : columns)
+                row.push_back(column.at(i));
+            fit.add(row, target.at(i));
         }
-        const std::array<double, 6> weights = leastSquares(rows, target);
-        for (std::size_t k = 0; k < 6; ++k)
-            profile[k].weight[c] = weights.at(k);
+        const std::vector<double> weights = fit.solve();
+        const double sum = std::reduce(weights.begin(), weights.end());
+        for (std::size_t k = 0; k < profile.size(); ++k)
+            profile[k].weight[c] = weights[k] / sum;
+    }
+    return profile;
+}
+
+SkinTone toneOf(double melanin, double blood) {
+    return {.melanin = melanin, .blood = blood, .eumelanin = 0.6 + 0.4 * (1 - std::exp(-melanin / 0.13))};
+}
+
+std::array<double, kToneTerms> toneTerms(double melanin, double blood) {
+    const double u = std::clamp(std::log(melanin / kToneMelanin[0]) / std::log(kToneMelanin[1] / kToneMelanin[0]), 0.0, 1.0);
+    const double v = std::clamp(std::log(blood / kToneBlood[0]) / std::log(kToneBlood[1] / kToneBlood[0]), 0.0, 1.0);
+    std::array<double, kToneTerms> terms{};
+    for (int i = 0; i <= kToneMelaninDegree; ++i)
+        for (int j = 0; j <= kToneBloodDegree; ++j)
+            terms.at(static_cast<std::size_t>(i * (kToneBloodDegree + 1) + j)) =
+                bernstein(kToneMelaninDegree, i, u) * bernstein(kToneBloodDegree, j, v);
+    return terms;
+}
+
+ToneTable fittedTable(const WhitePhotons& photons) {
+    constexpr int kNodes = 16;            // along both
+    constexpr double kLeastAlbedo = 0.01; // of darker ones an error counts less
+    constexpr std::size_t kUnknowns = kToneWidths.size() * kToneTerms;
+    std::array<NonNegative, 3> fits{NonNegative(kUnknowns), NonNegative(kUnknowns), NonNegative(kUnknowns)};
+    std::array<FitRow, kToneWidths.size()> columns{};
+    std::ranges::transform(kToneWidths, columns.begin(), [](double width) { return rowOf(width * width); });
+    const auto place = [](const std::array<double, 2>& range, int i) {
+        return range[0] * std::pow(range[1] / range[0], i / (kNodes - 1.0));
+    };
+    for (int node = 0; node < kNodes * kNodes; ++node) {
+        const double melanin = place(kToneMelanin, node / kNodes);
+        const double blood = place(kToneBlood, node % kNodes);
+        const ToneResponse response = photons.response(toneOf(melanin, blood));
+        const auto terms = toneTerms(melanin, blood);
+        forEachInParallel(fits.size(), [&](std::size_t c) {
+            const double albedo = response.albedo[static_cast<int>(c)];
+            const double counts = 1 / std::max(albedo, kLeastAlbedo);
+            const FitRow target = rowOf(response.rings.at(c));
+            std::vector<double> row(kUnknowns);
+            for (std::size_t i = 0; i < target.size(); ++i) {
+                for (std::size_t k = 0; k < columns.size(); ++k)
+                    for (std::size_t t = 0; t < kToneTerms; ++t)
+                        row[k * kToneTerms + t] = counts * columns.at(k).at(i) * terms.at(t);
+                fits.at(c).add(row, counts * albedo * target.at(i));
+            }
+        });
+    }
+    ToneTable table{};
+    forEachInParallel(fits.size(), [&](std::size_t c) {
+        const std::vector<double> weights = fits.at(c).solve();
+        for (std::size_t k = 0; k < weights.size(); ++k)
+            table.at(k / kToneTerms).at(k % kToneTerms)[static_cast<int>(c)] = weights[k];
+    });
+    return table;
+}
+
+Profile profileOf(const ToneTable& table, double melanin, double blood) {
+    const auto terms = toneTerms(melanin, blood);
+    Profile profile;
+    for (std::size_t k = 0; k < kToneWidths.size(); ++k) {
+        Gaussian gaussian{.variance = kToneWidths.at(k) * kToneWidths.at(k)};
+        for (std::size_t t = 0; t < kToneTerms; ++t)
+            gaussian.weight += terms.at(t) * table.at(k).at(t);
+        profile.push_back(gaussian);
     }
     return profile;
 }

@@ -68,4 +68,21 @@ private:
 inline constexpr std::array<double, 6> kToneWidths = {0.02, 0.063, 0.153, 0.362, 0.784, 1.82}; // mm
 [[nodiscard]] Profile fittedProfile(const ToneResponse& response);
 
+/// Skins of two numbers, the rest after them: the more melanin, the more of it is eumelanin (Donner and Jensen 2006).
+[[nodiscard]] SkinTone toneOf(double melanin, double blood);
+
+/// All these skins in one table: each weight of each Gaussian is a sum of products of Bernstein polynomials over the logarithms of melanin
+/// and blood, whose coefficients are not below 0. Weights of a channel sum to the albedo.
+inline constexpr std::array<double, 2> kToneMelanin = {0.004, 0.32};
+inline constexpr std::array<double, 2> kToneBlood = {0.002, 0.05};
+inline constexpr int kToneMelaninDegree = 5;
+inline constexpr int kToneBloodDegree = 3;
+inline constexpr std::size_t kToneTerms = (kToneMelaninDegree + 1) * (kToneBloodDegree + 1);
+using ToneTable = std::array<std::array<glm::dvec3, kToneTerms>, 6>;
+/// From 16 x 16 of them, by least squares as above; takes minutes.
+[[nodiscard]] ToneTable fittedTable(const WhitePhotons& photons);
+/// Outside of the ranges the nearest skin within them.
+[[nodiscard]] std::array<double, kToneTerms> toneTerms(double melanin, double blood);
+[[nodiscard]] Profile profileOf(const ToneTable& table, double melanin, double blood);
+
 } // namespace tegument::reference

@@ -1,0 +1,91 @@
+// hlsl/scatter/tone.fxh against photons: skin of so much melanin and blood, of which the numbers there know nothing but by photons of
+// other seeds.
+
+#include "lab/reference/skin_tone.h"
+#include "tests/hlsl/function_case.h"
+
+#include <cmath>
+#include <map>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr int kSkins = 24;
+
+/// Of the same photons for all skins; those of one skin, rounded to six digits, are weighed once.
+const reference::ToneResponse& skin(const Inputs& x) {
+    static const reference::WhitePhotons kPhotons(8'000, 5);
+    static std::map<std::pair<long, long>, reference::ToneResponse> known;
+    const auto step = [](double value, const std::array<double, 2>& range) {
+        return std::lround(1e6 * std::log(std::clamp(value, range[0], range[1])));
+    };
+    const auto [found, made] = known.try_emplace({step(x.scalar(0), reference::kToneMelanin), step(x.scalar(1), reference::kToneBlood)});
+    if (made)
+        found->second = kPhotons.response(reference::toneOf(std::exp(1e-6 * static_cast<double>(found->first.first)),
+                                                            std::exp(1e-6 * static_cast<double>(found->first.second))));
+    return found->second;
+}
+
+} // namespace
+
+std::vector<FunctionCase> toneCases() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "tgToneWeight",
+         .body = "float3 sum = 0.0, near = 0.0; [unroll] for (int i = 0; i < 6; i++) { float3 w = tgToneWeight(i, a0, a1); sum += w; "
+                 "near += w * (1.0 - exp(-0.5 * a2 * a2 / kTgToneVariance[i])); } return float4(near / sum, 1.0);",
+         .arguments = {logarithmic(0.004, 0.1), logarithmic(0.002, 0.05), logarithmic(0.2, 10)},
+         .expected =
+             [](const Inputs& x) {
+                 const reference::ToneResponse& truth = skin(x);
+                 const auto within = [&](std::size_t c) { return truth.rings.at(c).within(x.scalar(2)) / truth.rings.at(c).total(); };
+                 return values(within(0), within(1), within(2), 1);
+             },
+         .tolerance = {.absolute = 0.045, .why = "a share of blue is up to .03 off, others .014; 8,000 photons"},
+         .samples = kSkins,
+         .domain =
+             [](const Inputs& x) {
+                 return x.scalar(0) > 0 && x.scalar(0) <= 0.1 && x.scalar(1) > 0 && x.scalar(2) >= 0.2 && x.scalar(2) <= 10;
+             }});
+    cases.push_back({.function = "tgToneAlbedo",
+                     .body = "float3 sum = 0.0; [unroll] for (int i = 0; i < 6; i++) sum += tgToneWeight(i, a0, a1); "
+                             "float3 albedo = tgToneAlbedo(a0, a1); float3 apart = abs(albedo - sum); "
+                             "return float4(albedo, max(apart.x, max(apart.y, apart.z)));",
+                     .arguments = {logarithmic(0.004, 0.32), logarithmic(0.002, 0.05)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec3 albedo = skin(x).albedo;
+                             return values(albedo.x, albedo.y, albedo.z, 0);
+                         },
+                     .tolerance = {.absolute = 0.012, .why = "2 % of what light skin gives back, 8,000 photons"},
+                     .samples = kSkins,
+                     .domain = [](const Inputs& x) { return x.scalar(0) > 0 && x.scalar(1) > 0; }});
+    cases.push_back(
+        {.function = "tgTonePlace",
+         .body = "TgTonePlace p = tgTonePlace(a0, a1); return float4(dot(p.melanin0, 1.0) + dot(p.melanin3, 1.0), dot(p.blood, 1.0), "
+                 "dot(p.melanin0, float3(0, 0.2, 0.4)) + dot(p.melanin3, float3(0.6, 0.8, 1)), dot(p.blood, float4(0, 1, 2, 3)) / 3);",
+         .arguments = {logarithmic(0.001, 1), logarithmic(0.0005, 0.2)},
+         .expected =
+             [](const Inputs& x) {
+                 const auto place = [](double value, const std::array<double, 2>& range) {
+                     return std::clamp(std::log(std::max(value, 1e-6) / range[0]) / std::log(range[1] / range[0]), 0.0, 1.0);
+                 };
+                 return values(1, 1, place(x.scalar(0), reference::kToneMelanin), place(x.scalar(1), reference::kToneBlood));
+             },
+         .tolerance = {.absolute = 4e-6, .why = "sums of products of numbers up to 1, after logarithms"}});
+    cases.push_back({.function = "tgToneFlesh",
+                     .body = "return float4(tgToneFlesh(a0), 1.0);",
+                     .arguments = {logarithmic(0.001, 0.1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double blood = std::clamp(x.scalar(0), reference::kToneBlood[0], reference::kToneBlood[1]);
+                             const auto factor = [&](double l) { return 1.1 * reference::effectiveAttenuation({.blood = blood}, l); };
+                             return values(factor(620), factor(540), factor(460), 1);
+                         },
+                     .tolerance = {.absolute = 1e-4, .why = "coefficients are printed with five decimals"},
+                     .domain = [](const Inputs& x) { return x.scalar(0) > 0; }});
+    return cases;
+}
+
+} // namespace tegument::test

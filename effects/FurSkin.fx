@@ -44,6 +44,7 @@ static const float kLockHidden = 0.0; // at a parting nothing of a strand is
 #include "passes/fur_locks.fxh"
 #include "passes/profile.fxh"
 #include "passes/flesh.fxh"
+#include "passes/tone.fxh"
 #include "passes/planar_shadow.fxh"
 #include "passes/atlas.fxh"
 #include "passes/pyramid_maps.fxh"

@@ -181,7 +181,7 @@ std::vector<FunctionCase> ladderCases() {
     cases.push_back({.function = "tgLadderCoordinate",
                      .body = "return float4(tgLadderCoordinate(a0, a1), 0, 0);",
                      .arguments = {whole(0, 31), linear(0.02, 10000)},
-                     .expected = [](const Inputs& x) { return values((std::log2(x.scalar(1)) + 6) * 8 / 160, (x.scalar(0) + 0.5) / 32); },
+                     .expected = [](const Inputs& x) { return values((std::log2(x.scalar(1)) + 6) * 8 / 160, (x.scalar(0) + 0.5) / 64); },
                      .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-6, .why = "a logarithm, whose error is absolute near 1"}});
     cases.push_back({.function = "tgLadderDensity",
                      .body = "return float4(tgLadderDensity(a0), 0, 0, 0);",

@@ -208,7 +208,7 @@ std::vector<FunctionCase> parts() {
     cases.back().maps["gLinksMap"] = sheetOf(true, 0);
     cases.back().filtered = false;
     cases.back().tolerance = exact;
-    cases.push_back(pyramidCase("linkLight", "return float4(linkLight(float2(a3 * abs(a0.z), abs(a0.w)), float4(a1, a2)), 0);",
+    cases.push_back(pyramidCase("linkLight", "return float4(linkLight(float2(a3 * abs(a0.z), abs(a0.w)), linkColours(), float4(a1, a2)), 0);",
                                 {linear(-1, 1, 4), linear(0, 1, 3), logarithmic(1e-5, 1), linear(0, 1)}, [](const Inputs& x) {
                                     return values(sentBy(x.vec4(0), glm::dvec4(x.vec3(1), x.scalar(2)), x.scalar(3)));
                                 }));

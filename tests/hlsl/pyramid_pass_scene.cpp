@@ -7,7 +7,7 @@ namespace tegument::test {
 
 namespace {
 
-constexpr int kTable = 32; // rows, as the ladder has; columns, a fifth of its
+constexpr int kTable = 64; // rows, as the ladder has; columns, a fifth of its
 
 glm::dvec3 rowOfTable(double row) {
     return {0.3 + 0.4 * std::sin(2.1 * row), 0.3 + 0.4 * std::sin(1.3 * row + 1), 0.3 + 0.4 * std::cos(1.7 * row)};

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of README and docs: docs/images/make.sh [coats]. Needs ./bootstrap demo; the Lee Perry-Smith head also its data ($TEGUMENT_DATA).
+# Makes the pictures of README and docs: docs/images/make.sh [tones]. Needs ./bootstrap demo; the Lee Perry-Smith head also its data ($TEGUMENT_DATA).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tegument=build/release/tegument
@@ -26,6 +26,15 @@ portraits() { # in a studio: portrait and close-up; with hair under one light
     "$tegument" sheet "$work"/{front,closeup,hair}.png --columns 3 -o docs/images/portraits.jpg
 }
 
+tones() { # the skins among the presets
+    local skin pictures=()
+    for skin in very_light light intermediate tan brown dark pale flushed sunburnt; do
+        "$tegument" render Pyramid -t PyramidLinked -p "$skin" -w human_front --size 320x380 -o "$work/$skin.png" >/dev/null
+        pictures+=("$work/$skin.png")
+    done
+    "$tegument" sheet "${pictures[@]}" --columns 3 -o docs/images/tones.jpg
+}
+
 coats() { # every preset of FurCoat on the Bunny, and hair on the default head
     local coat pictures=()
     for coat in rabbit fox cat bear terrier plush velvet; do
@@ -42,5 +51,6 @@ if [ $# -gt 0 ]; then # NAME: one of these functions alone
 fi
 sheet human
 portraits
+tones
 coats
 if [ -n "${TEGUMENT_DATA:-}" ]; then sheet lps_head; else echo "TEGUMENT_DATA is not set: docs/images/lps_head.png stays as it is"; fi

@@ -21,7 +21,7 @@ static const float2 kLinkedVariances = float2(1.9, 12.0);
 // Variances of the fifth and sixth Gaussian.
 float2 linkedVariances()
 {
-    return float2(profileVariance(4), profileVariance(5));
+    return float2(gGaussianWeight[4].w, gGaussianWeight[5].w);
 }
 
 bool linksBring(float variance)
@@ -29,12 +29,23 @@ bool linksBring(float variance)
     return variance >= kLinkedVariances.x && variance <= kLinkedVariances.y;
 }
 
+// Of a tone the widest alone is, with the variance that links are made for.
+bool fifthLinked()
+{
+    return !toneGiven() && linksBring(linkedVariances().x);
+}
+
+bool sixthLinked()
+{
+    return toneGiven() || linksBring(linkedVariances().y);
+}
+
 // Share of the fifth Gaussian that levels bring beside links. density: texels^2 of the base per mm^2.
 float fifthByLevels(float density)
 {
     float side = TEGUMENT_MAP_SIZE / kLinkTexels * rsqrt(max(density, 1e-4));
     float share = saturate((side - kWideTexel.x) / (kWideTexel.y - kWideTexel.x));
-    return linksBring(linkedVariances().x) ? share : 1.0;
+    return fifthLinked() ? share : 1.0;
 }
 
 // Weight of a step beside links, with what they leave of the fifth Gaussian.

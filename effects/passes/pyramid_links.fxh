@@ -90,9 +90,10 @@ float2 boundVariances()
     return clamp(linkedVariances(), kLinkedVariances.x, kLinkedVariances.y);
 }
 
+// Whether the weights that links bring are those that they were made with.
 bool linksAsMade()
 {
-    return all(linkedVariances() == kLinkVariance);
+    return toneGiven() || all(linkedVariances() == kLinkVariance);
 }
 
 // Of a link. Its two weights are a G(v, d) for two v: they tell area a and distance d of the source, and so what it weighs for any v.
@@ -116,8 +117,8 @@ float2 linkWeights(float4 link)
 float3 linkSheet()
 {
     float3 sheet = max(tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xyz, float3(0.0, 0.0, 1.0));
-    sheet.y *= linksBring(linkedVariances().x) ? 1.0 : 0.0;
-    return linksBring(linkedVariances().y) ? sheet : float3(0.0, 0.0, 1.0);
+    sheet.y *= fifthLinked() ? 1.0 : 0.0;
+    return sixthLinked() ? sheet : float3(0.0, 0.0, 1.0);
 }
 
 // Link number k of a list; slot: where each tile holds the list.

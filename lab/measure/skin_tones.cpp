@@ -40,15 +40,6 @@ constexpr std::array<NamedTone, 6> kTones = {{{"very light", .006, .004},
                                               {"dark", .18, .010}}};
 /// The skin that the default head's colour map shows.
 constexpr std::size_t kMapTone = 1;
-/// nm: what stands for red, green and blue where one wavelength must.
-constexpr std::array<double, 3> kColors = {620, 540, 460};
-
-glm::dvec3 fleshFactor(const SkinTone& tone) {
-    constexpr double kOfAttenuation = 1.1; // fitted to balls and slabs
-    return kOfAttenuation * glm::dvec3(effectiveAttenuation(tone, kColors[0]), effectiveAttenuation(tone, kColors[1]),
-                                       effectiveAttenuation(tone, kColors[2]));
-}
-
 void tones(const Settings& settings) {
     const WhitePhotons photons(settings.photons, settings.seed);
     std::vector<ToneResponse> responses;
@@ -116,10 +107,10 @@ void table(const Settings& settings) {
         }
     std::array<glm::dvec3, 3> dermis{};
     for (int c = 0; c < 3; ++c) {
-        const LayerOptics without = fleshOf({.blood = 0}, kColors.at(static_cast<std::size_t>(c))).dermis;
+        const LayerOptics without = fleshOf({.blood = 0}, kToneColors.at(static_cast<std::size_t>(c))).dermis;
         dermis[0][c] = without.scattering;
         dermis[1][c] = without.absorption;
-        dermis[2][c] = fleshOf({.blood = 1}, kColors.at(static_cast<std::size_t>(c))).dermis.absorption;
+        dermis[2][c] = fleshOf({.blood = 1}, kToneColors.at(static_cast<std::size_t>(c))).dermis.absorption;
     }
     printColors("kTgToneWeight", weights);
     printColors("kTgToneAlbedo", albedo);
@@ -162,7 +153,7 @@ struct Half {
 Half halfSpace(const SkinTone& tone, const Settings& settings) {
     Half half;
     for (std::size_t c = 0; c < 3; ++c) {
-        half.flesh.at(c) = fleshOf(tone, kColors.at(c));
+        half.flesh.at(c) = fleshOf(tone, kToneColors.at(c));
         std::mt19937_64 random(settings.seed + c);
         const Uniform uniform = [&] { return std::generate_canonical<double, 53>(random); };
         const PlateBody body(std::numeric_limits<double>::infinity());
@@ -248,7 +239,7 @@ void bodies(const Settings& settings) {
         for (const std::size_t color : {0UL, 1UL}) {
             const BodyError alone = ballError(radius, color, half, glm::dvec3(0), settings);
             const BodyError with = ballError(radius, color, half, flesh, settings);
-            fmt::print("| ball of {} mm | {} | {:.3f}, {:.2f} | {:.3f}, {:.2f} | {:.3f} |\n", radius, kColors.at(color), alone.error,
+            fmt::print("| ball of {} mm | {} | {:.3f}, {:.2f} | {:.3f}, {:.2f} | {:.3f} |\n", radius, kToneColors.at(color), alone.error,
                        alone.flux, with.error, with.flux, with.noise);
             std::fflush(stdout);
         }
@@ -269,7 +260,7 @@ void bodies(const Settings& settings) {
             const RingHistogram& rings = half.response.rings.at(color);
             const double alone = rings.total() - rings.within(thickness);
             const double with = alone * (1 + flesh[static_cast<int>(color)] * thickness);
-            fmt::print("| slab of {} mm, through it | {} | {:.3f}, {:.2f} | {:.3f}, {:.2f} | - |\n", thickness, kColors.at(color),
+            fmt::print("| slab of {} mm, through it | {} | {:.3f}, {:.2f} | {:.3f}, {:.2f} | - |\n", thickness, kToneColors.at(color),
                        std::abs(alone / through - 1), through / alone, std::abs(with / through - 1), through / with);
         }
 }

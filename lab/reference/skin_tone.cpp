@@ -89,6 +89,12 @@ double effectiveAttenuation(const SkinTone& tone, double wavelength) {
     return std::sqrt(3 * dermis.absorption * (dermis.absorption + dermis.scattering));
 }
 
+glm::dvec3 fleshFactor(const SkinTone& tone) {
+    constexpr double kOfAttenuation = 1.1;
+    return kOfAttenuation * glm::dvec3(effectiveAttenuation(tone, kToneColors[0]), effectiveAttenuation(tone, kToneColors[1]),
+                                       effectiveAttenuation(tone, kToneColors[2]));
+}
+
 glm::dvec3 linearSrgb(const Spectrum& reflectance) {
     const glm::dvec3 xyz = tristimulus(reflectance) * glm::dvec3(.95047, 1, 1.08883);
     return {3.2404542 * xyz.x - 1.5371385 * xyz.y - .4985314 * xyz.z, -.9692660 * xyz.x + 1.8760108 * xyz.y + .0415560 * xyz.z,
@@ -293,8 +299,8 @@ double bernstein(int degree, int k, double t) {
 
 Profile fittedProfile(const ToneResponse& response) {
     Profile profile;
-    for (const double width : kToneWidths)
-        profile.push_back({width * width, glm::dvec3(0)});
+    for (const double variance : kToneVariances)
+        profile.push_back({variance, glm::dvec3(0)});
     for (int c = 0; c < 3; ++c) {
         const FitRow target = rowOf(response.rings.at(static_cast<std::size_t>(c)));
         NonNegative fit(profile.size());
@@ -333,10 +339,10 @@ std::array<double, kToneTerms> toneTerms(double melanin, double blood) {
 ToneTable fittedTable(const WhitePhotons& photons) {
     constexpr int kNodes = 16;            // along both
     constexpr double kLeastAlbedo = 0.01; // of darker ones an error counts less
-    constexpr std::size_t kUnknowns = kToneWidths.size() * kToneTerms;
+    constexpr std::size_t kUnknowns = kToneVariances.size() * kToneTerms;
     std::array<NonNegative, 3> fits{NonNegative(kUnknowns), NonNegative(kUnknowns), NonNegative(kUnknowns)};
-    std::array<FitRow, kToneWidths.size()> columns{};
-    std::ranges::transform(kToneWidths, columns.begin(), [](double width) { return rowOf(width * width); });
+    std::array<FitRow, kToneVariances.size()> columns{};
+    std::ranges::transform(kToneVariances, columns.begin(), [](double variance) { return rowOf(variance); });
     const auto place = [](const std::array<double, 2>& range, int i) {
         return range[0] * std::pow(range[1] / range[0], i / (kNodes - 1.0));
     };
@@ -370,8 +376,8 @@ ToneTable fittedTable(const WhitePhotons& photons) {
 Profile profileOf(const ToneTable& table, double melanin, double blood) {
     const auto terms = toneTerms(melanin, blood);
     Profile profile;
-    for (std::size_t k = 0; k < kToneWidths.size(); ++k) {
-        Gaussian gaussian{.variance = kToneWidths.at(k) * kToneWidths.at(k)};
+    for (std::size_t k = 0; k < kToneVariances.size(); ++k) {
+        Gaussian gaussian{.variance = kToneVariances.at(k)};
         for (std::size_t t = 0; t < kToneTerms; ++t)
             gaussian.weight += terms.at(t) * table.at(k).at(t);
         profile.push_back(gaussian);

@@ -23,6 +23,10 @@ struct SkinTone {
 [[nodiscard]] Flesh fleshOf(const SkinTone& tone, double wavelength);
 /// Of diffusion theory in the dermis, per mm: sqrt(3 mu_a (mu_a + mu_s')).
 [[nodiscard]] double effectiveAttenuation(const SkinTone& tone, double wavelength);
+/// nm: what stands for red, green and blue where one wavelength must.
+inline constexpr std::array<double, 3> kToneColors = {620, 540, 460};
+/// c of 1 + c h, per mm: 1.1 times that attenuation, fitted to balls and slabs.
+[[nodiscard]] glm::dvec3 fleshFactor(const SkinTone& tone);
 
 /// Wavelengths that a spectrum is known at: 380 to 720 nm in steps of 10.
 inline constexpr std::size_t kWavelengths = 35;
@@ -64,8 +68,8 @@ private:
 };
 
 /// Six Gaussians with these variances (mm^2), shared by all skins and channels, and weights that sum to 1 and are not below 0: least
-/// squares of the edge of light and of the share within a radius.
-inline constexpr std::array<double, 6> kToneWidths = {0.02, 0.063, 0.153, 0.362, 0.784, 1.82}; // mm
+/// squares of the edge of light and of the share within a radius. The widest is that of the links (meshprep/skin/skin_links.h).
+inline constexpr std::array<double, 6> kToneVariances = {0.0004, 0.0081, 0.067081, 0.222784, 1.127844, 7.41};
 [[nodiscard]] Profile fittedProfile(const ToneResponse& response);
 
 /// Skins of two numbers, the rest after them: the more melanin, the more of it is eumelanin (Donner and Jensen 2006).

@@ -3,6 +3,7 @@
 #include "host/image/dds.h"
 #include "host/support/temporary.h"
 #include "lab/reference/bssrdf.h"
+#include "lab/reference/skin_tone.h"
 #include "lab/verify/pyramid.h"
 #include "meshprep/skin/skin_links.h"
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <optional>
 
 namespace tegument::verify {
 
@@ -184,10 +186,22 @@ Result<void> verifyLinks(ModuleReport& report, const Context& context, const Pyr
 struct PictureJob {
     const char* effect;
     const char* technique;
-    double wider = 1;      // than the published profile, in width
-    double relativeL2 = 0; // at most
-    glm::dvec3 flesh{0};   // c of 1 + c h, per mm
+    double wider = 1;                        // than the published profile, in width
+    double relativeL2 = 0;                   // at most
+    glm::dvec3 flesh{0};                     // c of 1 + c h, per mm
+    std::optional<reference::SkinTone> tone; // by photons, in the place of both
 };
+
+/// What the technique is to draw of it: profile and flesh of these photons, the skin that the colour map shows divided out.
+void followTone(const reference::SkinTone& tone, reference::Profile& profile, glm::dvec3& flesh) {
+    static const reference::WhitePhotons kPhotons(20'000, 7);
+    const reference::ToneResponse response = kPhotons.response(tone);
+    const glm::dvec3 beside = response.albedo / kPhotons.response(reference::toneOf(0.014, 0.006)).albedo;
+    profile = reference::fittedProfile(response);
+    for (reference::Gaussian& gaussian : profile)
+        gaussian.weight *= beside;
+    flesh = reference::fleshFactor(tone);
+}
 
 Weights publishedWeights() {
     Weights weights;
@@ -209,7 +223,14 @@ Result<void> verifyPicture(ModuleReport& report, const Context& context, const P
             job.parameters["gGaussianWeight"][4 * i + 3] = profile[i].variance;
         }
     }
-    if (picture.flesh != glm::dvec3(0)) job.parameters["gFlesh"] = {picture.flesh.x, picture.flesh.y, picture.flesh.z, 0};
+    glm::dvec3 flesh = picture.flesh;
+    if (picture.tone) {
+        job.parameters["gMelanin"] = {picture.tone->melanin};
+        job.parameters["gBlood"] = {picture.tone->blood};
+        followTone(*picture.tone, profile, flesh);
+    } else if (flesh != glm::dvec3(0)) {
+        job.parameters["gFlesh"] = {flesh.x, flesh.y, flesh.z, 0};
+    }
     const auto run = render(context, at.scene, job);
     if (!run) return run.error();
     const Seen seen = look(at.truth.skin, at.truth.camera);
@@ -217,8 +238,8 @@ Result<void> verifyPicture(ModuleReport& report, const Context& context, const P
     std::vector<reference::ShadedPoint> points;
     for (const std::size_t pixel : someOf(counts))
         points.push_back({static_cast<int>(pixel) % seen.width, static_cast<int>(pixel) / seen.width, *seen.pixels[pixel]});
-    const auto light = reference::radiance(at.truth.skin, points, at.truth.camera.eye,
-                                           {.profile = reference::radial(profile, picture.flesh), .cached = false});
+    const auto light =
+        reference::radiance(at.truth.skin, points, at.truth.camera.eye, {.profile = reference::radial(profile, flesh), .cached = false});
     Image drawn = rowOf(points.size());
     Image exact = drawn;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -229,6 +250,7 @@ Result<void> verifyPicture(ModuleReport& report, const Context& context, const P
     std::string subject = fmt::format("{}: pixels of the picture", picture.technique);
     if (picture.wider != 1) subject += fmt::format(", a profile {:g} times as wide", picture.wider);
     if (picture.flesh != glm::dvec3(0)) subject += ", light through flesh";
+    if (picture.tone) subject += fmt::format(", melanin {:g}, blood {:g}", picture.tone->melanin, picture.tone->blood);
     return compare(report, context, {subject, drawn, exact, {}, {}},
                    {.relativeL2 = picture.relativeL2,
                     .bias = picture.relativeL2 / 3,
@@ -236,10 +258,12 @@ Result<void> verifyPicture(ModuleReport& report, const Context& context, const P
 }
 
 /// Links are made for two variances: 1.25 times as wide they are weighed anew.
-const std::array<PictureJob, 4> kPictures = {{{"Pyramid.fx", "PyramidLinked", 1, 0.015},
+const std::array<PictureJob, 6> kPictures = {{{"Pyramid.fx", "PyramidLinked", 1, 0.015},
                                               {"Pyramid.fx", "PyramidLinked", 1.25, 0.035},
                                               {"Main.fx", "DEonLuebke", 1, 0.035},
-                                              {"Pyramid.fx", "PyramidLinked", 1, 0.035, {0.7, 1.8, 2.5}}}};
+                                              {"Pyramid.fx", "PyramidLinked", 1, 0.035, {0.7, 1.8, 2.5}},
+                                              {"Pyramid.fx", "Pyramid", 1, 0.035, {}, reference::toneOf(0.014, 0.006)},
+                                              {"Pyramid.fx", "PyramidLinked", 1, 0.035, {}, reference::toneOf(0.1, 0.02)}}};
 
 } // namespace
 

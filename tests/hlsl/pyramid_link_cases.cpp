@@ -121,17 +121,20 @@ std::vector<FunctionCase> profiles(const Tolerance& exact) {
     struct Known {
         double fifth, sixth;
         bool made, bringsFifth, bringsSixth;
+        double melanin = 0; // of a tone, which sets the numbers aside
     };
-    for (const Known& known : {Known{1.99, 7.41, true, true, true}, Known{2.5, 11, false, true, true}, Known{0.6, 3.3, false, false, true},
-                               Known{1.99, 12.5, false, true, false}, Known{17.91, 66.69, false, false, false}}) {
-        cases.push_back(pyramidCase("linksBring",
-                                    "return float4(linksAsMade() ? 1.0 : 0.0, linksBring(linkedVariances().x) ? 1.0 : 0.0, "
-                                    "linksBring(linkedVariances().y) ? 1.0 : 0.0, fifthByLevels(1000.0));",
+    for (const Known& known :
+         {Known{1.99, 7.41, true, true, true}, Known{2.5, 11, false, true, true}, Known{0.6, 3.3, false, false, true},
+          Known{1.99, 12.5, false, true, false}, Known{17.91, 66.69, false, false, false}, Known{17.91, 66.69, true, false, true, 0.1}}) {
+        cases.push_back(pyramidCase("sixthLinked",
+                                    "return float4(linksAsMade() ? 1.0 : 0.0, fifthLinked() ? 1.0 : 0.0, sixthLinked() ? 1.0 : 0.0, "
+                                    "fifthByLevels(1000.0));",
                                     {linear(0, 1)}, [=](const Inputs&) {
                                         return values(known.made ? 1 : 0, known.bringsFifth ? 1 : 0, known.bringsSixth ? 1 : 0,
                                                       known.bringsFifth ? 0 : 1);
                                     }));
         cases.back().globals["gGaussianWeight"] = widened(known.fifth, known.sixth);
+        cases.back().globals["gMelanin"] = {known.melanin};
         cases.back().tolerance = exact;
         cases.back().samples = 4;
         cases.push_back(pyramidCase("linkSheet", "return float4(linkSheet() + a0, 0);", {linear(0, 1)}, [=](const Inputs& x) {
@@ -139,6 +142,7 @@ std::vector<FunctionCase> profiles(const Tolerance& exact) {
             return values(kTiles + x.scalar(0), (known.bringsFifth ? 1 : 0) + x.scalar(0), kHigh + x.scalar(0));
         }));
         cases.back().globals["gGaussianWeight"] = widened(known.fifth, known.sixth);
+        cases.back().globals["gMelanin"] = {known.melanin};
         cases.back().maps["gLinksMap"] = sheetOf(false, 1);
         cases.back().tolerance = exact;
     }
@@ -208,10 +212,10 @@ std::vector<FunctionCase> parts() {
     cases.back().maps["gLinksMap"] = sheetOf(true, 0);
     cases.back().filtered = false;
     cases.back().tolerance = exact;
-    cases.push_back(pyramidCase("linkLight", "return float4(linkLight(float2(a3 * abs(a0.z), abs(a0.w)), linkColours(), float4(a1, a2)), 0);",
-                                {linear(-1, 1, 4), linear(0, 1, 3), logarithmic(1e-5, 1), linear(0, 1)}, [](const Inputs& x) {
-                                    return values(sentBy(x.vec4(0), glm::dvec4(x.vec3(1), x.scalar(2)), x.scalar(3)));
-                                }));
+    cases.push_back(
+        pyramidCase("linkLight", "return float4(linkLight(float2(a3 * abs(a0.z), abs(a0.w)), linkColours(), float4(a1, a2)), 0);",
+                    {linear(-1, 1, 4), linear(0, 1, 3), logarithmic(1e-5, 1), linear(0, 1)},
+                    [](const Inputs& x) { return values(sentBy(x.vec4(0), glm::dvec4(x.vec3(1), x.scalar(2)), x.scalar(3))); }));
     cases.back().tolerance = exact;
     for (FunctionCase& made : profiles(exact))
         cases.push_back(std::move(made));

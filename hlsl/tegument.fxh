@@ -15,25 +15,27 @@
 //   TEGUMENT_SEAM_REPAIR 0: texels outside the charts count as valid, to measure what the repair is worth: 1
 //
 // WHAT TO GIVE
-//   Lengths in mm, unless a comment says that any unit will do. Unit vectors from the surface outwards. Colours linear; the light's colour
-// is its
-//   irradiance / pi, so that a white matt surface facing it reflects exactly that. Matrices for row vectors, mul(v, M); clip space
-// Direct3D's.
+//   Lengths in mm, unless a comment says that any unit will do. Unit vectors from the surface outwards. Colours linear; the light's
+//   colour is its irradiance / pi, so that a white matt surface facing it reflects exactly that. Matrices for row vectors, mul(v, M);
+//   clip space of Direct3D.
 //   A texture with its sampler: TG_SAMPLER2D_ARG_OF(sampler, texture), or TG_SAMPLER2D_ARG(gX) for texture gXMap with sampler gX. In
-// functions of your own
-//   declare such an argument as TG_SAMPLER2D_PARAM(name) and hand it on as TG_SAMPLER2D_ARG(name). Shadow maps and maps of light are read
-// by POINT, CLAMP.
+//   functions of your own declare such an argument as TG_SAMPLER2D_PARAM(name) and hand it on as TG_SAMPLER2D_ARG(name).
+//   Samplers are CLAMP. POINT: shadow maps, depth, the maps of light 1 to 13 below. LINEAR: maps of light in the picture (14), levels
+//   of the pyramid, tables (energy, ladder, pre-integrated), what tgSeparableConvolve and tgBurleyGather blur.
 //
 // SKIN, IN PASSES (docs/design/modules of the project has the formulas)
 //   1 light's view      tgShadowDepth, with uv: a translucent shadow map (depth, u, v, 1), 32 bits, cleared to 0
-//   2 once for a mesh   tgStretchEncode(ddx(mm), ddy(mm), size) drawn at tgUnwrapPosition(uv, 0): texels per mm. Once:
-// tgEnergyTexel(tgEnergyDirectionalAlbedo)
-//   3 irradiance        drawn at tgUnwrapPosition(uv, 0), cleared to (0, 0, 0, 1): tgIrradianceEntering; alpha
-// tgTransmissionEncode(tgTransmissionThickness)
+//   2 once for a mesh   tgStretchEncode(ddx(mm), ddy(mm), size) drawn at tgUnwrapPosition(uv, 0): texels per mm
+//     once              tgEnergyTexel(tgEnergyDirectionalAlbedo)
+//   3 irradiance        drawn at tgUnwrapPosition(uv, 0), cleared to (0, 0, 0, 1): tgIrradianceEntering; alpha is
+//                       tgTransmissionEncode(tgTransmissionThickness)
 //   4 to 13 cascade     U and V of five convolutions, widths kTgSkinWidth: tgGaussianIncrement, tgGaussianSpacing, tgGaussianConvolve
-//   14 picture          sum of kTgSkinProfile times the six maps, tgTransmissionShare of maps 4 to 6 at tgTsmEntry, tgIrradianceColour,
-// tgKelemenSpecular Without a texture space: tgPreintegratedLight, tgBurleyGather, tgSeparableConvolve. Fur: tgFurDistance, tgFurCoverage,
-// tgFurDiffuse, tgFurSpecular.
+//   14 picture          sum of kTgSkinProfile times the six maps, tgTransmissionShare of maps 4 to 6 at tgTsmEntry,
+//                       tgIrradianceColour, tgKelemenSpecular
+// BY A PYRAMID, in the place of 4 to 13: tgPyramidReduce, tgPyramidRound, weighed by tgLadderWeight
+// ANY SKIN              tgToneWeight(i, melanin, blood) and kTgToneVariance in the place of kTgSkinProfile; tgToneAlbedo, tgToneFlesh
+// WITHOUT TEXTURE SPACE tgPreintegratedLight, tgBurleyGather, tgSeparableConvolve
+// FUR                   tgFurDistance, tgFurCoverage, tgFurDiffuse, tgFurSpecular
 #include "../hlsl/platform.fxh"
 #include "../hlsl/space.fxh"
 #include "../hlsl/surface.fxh"

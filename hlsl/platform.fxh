@@ -2,6 +2,9 @@
 #ifndef TEGUMENT_PLATFORM_FXH
 #define TEGUMENT_PLATFORM_FXH
 
+// 10000 major + 100 minor + patch.
+#define TEGUMENT_VERSION 100
+
 #ifndef TEGUMENT_LIBRARY
 // Effects are written once: Direct3D 9 call spelling, Direct3D 10 type names and system values.
 //   (nothing defined)   Direct3D 9 effect, fx_2_0, shader model 3

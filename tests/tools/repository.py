@@ -331,6 +331,21 @@ def shaders_name_their_licence(root):
             yield f"{path}: the last line should be // SPDX-License-Identifier: MIT"
 
 
+def the_library_states_version_and_licence(root):
+    """It is copied into engines without the files beside it."""
+    path = root / "hlsl/tegument.fxh"
+    if not path.exists():
+        return
+    text = text_of(path)
+    licence = "".join(f"// {line}".rstrip() + "\n" for line in text_of(root / "LICENSE").strip().splitlines())
+    if licence not in text:
+        yield "hlsl/tegument.fxh: the text of LICENSE should stand in its head"
+    platform = text_of(root / "hlsl/platform.fxh")
+    major, minor, patch = map(int, re.search(r"project\(tegument VERSION (\d+)\.(\d+)\.(\d+)", text_of(root / "CMakeLists.txt")).groups())
+    if f"#define TEGUMENT_VERSION {10000 * major + 100 * minor + patch}\n" not in platform:
+        yield "hlsl/platform.fxh: TEGUMENT_VERSION should be the project's"
+
+
 def folders_explain_themselves_in_at_most_30_lines(root):
     folders = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tools", "lab", "tests"]
     for above in ("host", "tools", "lab"):
@@ -461,6 +476,7 @@ CHECKS = {
         names_of_the_library_carry_one_prefix,
         includes_of_shaders_are_guarded_by_their_name,
         shaders_name_their_licence,
+        the_library_states_version_and_licence,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,
         user_pages_are_few_and_short,

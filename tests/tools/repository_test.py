@@ -158,6 +158,15 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"hlsl/blur.fxh": GUARDED + "// SPDX-License-Identifier: MIT\n"})
         self.finds(check, {"effects/Blur.fx": GUARDED}, "Blur.fx: the last line")
 
+    def test_a_library_of_another_version_is_found(self):
+        check = "the_library_states_version_and_licence"
+        beside = {"LICENSE": "MIT\n\nas is\n", "CMakeLists.txt": "project(tegument VERSION 1.2.3)\n"}
+        head = "// MIT\n//\n// as is\n"
+        beside["hlsl/platform.fxh"] = "#define TEGUMENT_VERSION 10203\n"
+        self.accepts(check, {**beside, "hlsl/tegument.fxh": head})
+        self.finds(check, {**beside, "hlsl/tegument.fxh": head, "CMakeLists.txt": "project(tegument VERSION 1.2.4)\n"}, "TEGUMENT_VERSION")
+        self.finds(check, {**beside, "hlsl/tegument.fxh": "// MIT\n"}, "LICENSE")
+
     def test_rooms_that_include_each_other_are_found(self):
         check = "rooms_include_each_other_without_a_cycle"
         down = {"host/run/a.h": '#include "host/gpu/b.h"\n#include "host/run/c.h"\n', "host/gpu/b.h": '#include "meshprep/base/d.h"\n'}

@@ -3,7 +3,7 @@
 #define TEGUMENT_PASSES_MATERIALS_FXH
 
 Texture2D gSkinMap : DIFFUSE < string ColorSpace = "sRGB"; float4 Fallback = { 0.8, 0.6, 0.5, 1.0 }; string UIName = "Colour map"; >;
-TG_SAMPLER2D_SRGB(gSkin, LINEAR, CLAMP);
+TG_SAMPLER2D_SRGB(gSkin, LINEAR, WRAP);
 
 #endif
 // SPDX-License-Identifier: MIT

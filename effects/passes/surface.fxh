@@ -3,14 +3,14 @@
 #define TEGUMENT_PASSES_SURFACE_FXH
 
 Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
-TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
+TG_SAMPLER2D(gNormal, LINEAR, WRAP);
 
 // What two lobes ask of a LitPoint: the length of the mean of the normals that a look-up of the normal map has covered, and how skin shines
 // there, as factors of its roughness and intensity.
 #if TEGUMENT_LOBES
 Texture2D gShineMap : SHINE < float4 Fallback = { 0.50196, 0.50196, 0.0, 1.0 }; string UIName = "Shine map";
     string UIHelp = "red: times the roughness, green: times the specular intensity; 128 of 255 is 1"; >;
-TG_SAMPLER2D(gShine, LINEAR, CLAMP);
+TG_SAMPLER2D(gShine, LINEAR, WRAP);
 
 #define LOBE_MEMBERS float meanNormal; float2 shine;
 #define SKIN_INTENSITY(p) (gSpecularIntensity * p.shine.y)

@@ -21,6 +21,9 @@ struct Encoded {
 [[nodiscard]] Result<Image> decodeJpeg(const Encoded& in);
 [[nodiscard]] Result<Image> decodeExr(const Encoded& in);
 [[nodiscard]] Result<Image> decodeHdr(const Encoded& in);
+[[nodiscard]] Result<Image> decodeBmp(const Encoded& in);
+[[nodiscard]] bool isTga(std::span<const std::byte> bytes);
+[[nodiscard]] Result<Image> decodeTga(const Encoded& in);
 
 /// Eight-bit samples, row by row, ready to be stored.
 struct Samples8 {

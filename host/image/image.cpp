@@ -53,7 +53,7 @@ Error unknownFormat(const codec::Encoded& in) {
     for (std::size_t i = 0; i < std::min<std::size_t>(8, in.bytes.size()); ++i)
         start += fmt::format("{}{:02x}", i ? " " : "", std::to_integer<unsigned>(in.bytes[i]));
     const std::string text =
-        in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG, EXR, HDR or DDS image: it starts with {}", start);
+        in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG, EXR, HDR, DDS, BMP or TGA image: it starts with {}", start);
     return inputError(5200, {.file = in.name, .byte = 0}, text, "convert it to PNG, JPEG, EXR, HDR or DDS");
 }
 
@@ -71,6 +71,8 @@ Result<Image> decodeByContent(const codec::Encoded& in) {
     if (startsWith(in.bytes, {0x76, 0x2f, 0x31, 0x01})) return codec::decodeExr(in);
     if (startsWith(in.bytes, {'#', '?', 'R', 'A'}) || startsWith(in.bytes, {'#', '?', 'R', 'G'})) return codec::decodeHdr(in);
     if (isDds(in.bytes)) return flatDds(in);
+    if (startsWith(in.bytes, {'B', 'M'})) return codec::decodeBmp(in);
+    if (codec::isTga(in.bytes)) return codec::decodeTga(in);
     return unknownFormat(in);
 }
 

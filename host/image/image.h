@@ -1,5 +1,5 @@
 #pragma once
-// Images in memory and on disk: EXR (linear float), PNG, JPEG, HDR (read only); DDS in dds.h.
+// Images in memory and on disk: EXR (linear float), PNG, JPEG; HDR, BMP, TGA (read only); DDS in dds.h.
 
 #include "host/support/result.h"
 
@@ -36,8 +36,8 @@ struct Image {
 /// The one tone map of this project (docs/conventions.md): linear radiance to 0..1 linear display light.
 [[nodiscard]] float toneMap(float radiance);
 
-/// PNG (8 and 16 bit), JPEG, EXR, HDR (Radiance's RGBE), DDS (its largest level), by content. Truncated or foreign files are one clear
-/// TG52xx with the byte where it broke. At most 16384 x 16384.
+/// PNG (8 and 16 bit), JPEG, EXR, HDR (Radiance's RGBE), DDS (its largest level), BMP, TGA, by content. Truncated or foreign files are one
+/// clear TG52xx with the byte where it broke. At most 16384 x 16384.
 [[nodiscard]] Result<Image> loadImage(const std::filesystem::path& path);
 [[nodiscard]] Result<Image> decodeImage(std::span<const std::byte> bytes, const std::string& nameForMessages);
 

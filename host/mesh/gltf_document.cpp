@@ -130,7 +130,7 @@ std::string decodePercent(std::string_view uri) {
 
 /// Extensions that are read, and those without which the geometry is still right.
 bool isHarmless(const std::string& extension) {
-    static constexpr std::array<std::string_view, 15> kNames = {"EXT_mesh_primitive_restart",
+    static constexpr std::array<std::string_view, 17> kNames = {"EXT_mesh_primitive_restart",
                                                                 "KHR_mesh_quantization",
                                                                 "KHR_lights_punctual",
                                                                 "KHR_texture_transform",
@@ -142,6 +142,8 @@ bool isHarmless(const std::string& extension) {
                                                                 "EXT_texture_webp",
                                                                 "EXT_texture_avif",
                                                                 "MSFT_texture_dds",
+                                                                "KHR_techniques_webgl",
+                                                                "KHR_technique_webgl",
                                                                 "KHR_xmp_json_ld",
                                                                 "KHR_animation_pointer",
                                                                 "MSFT_lod"};

@@ -104,6 +104,13 @@ std::string_view withoutMark(std::string_view text) {
     return text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
 }
 
+std::string_view withoutComment(std::string_view line) {
+    std::size_t mark = line.find('#');
+    while (mark != std::string_view::npos && mark > 0 && line[mark - 1] == '.') // of "1.#IND"
+        mark = line.find('#', mark + 1);
+    return line.substr(0, mark);
+}
+
 std::string_view nextWord(std::string_view& line) {
     line = trim(line);
     const std::size_t end = std::min(line.find_first_of(" \t"), line.size());

@@ -45,10 +45,18 @@ inline constexpr int kOutside = 1014;
 [[nodiscard]] Result<ObjFile> parseObj(const Source& source);
 /// The picture that the materials in use name as their colour (map_Kd). TG5326 there are several, TG5328 it cannot be read: both warnings.
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
+/// Whether materials name a picture for each tile of the plane (UDIM), which no glTF material can.
+[[nodiscard]] bool namesTiles(const Source& source, const ObjFile& file);
 /// That picture as the mesh's colour map; TG5328, a warning, where it cannot be read.
 void useColourMap(const Source& source, const std::filesystem::path& picture, Mesh& mesh);
 /// Several pictures side by side as one, all as large as the largest. One that cannot be read is white, with a warning (TG5328).
 void useColourSheet(const Source& source, const std::vector<std::string>& pictures, Mesh& mesh);
+/// How a picture goes on beyond its edges, along u and along v.
+enum class PictureEdge { Repeat, Mirror, Clamp };
+using PictureEdges = std::array<PictureEdge, 2>;
+/// Where one of the mesh's textures goes on otherwise than by repeating, and coordinates lead there: all are laid out over the tiles in
+/// use, and the coordinates with them. `edges`: of each texture. TG5323, a warning, where that is too large.
+void layOutPictures(const Source& source, const std::vector<PictureEdges>& edges, Mesh& mesh);
 /// The picture as a material of all parts, as glTF has it.
 void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh);
 /// The same materials as glTF has them, with their pictures; `names`: of each part's material. What glTF cannot say is one warning
@@ -99,6 +107,9 @@ void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string
 
 /// A text without the byte order mark that some editors write in front.
 [[nodiscard]] std::string_view withoutMark(std::string_view text);
+
+/// A line of text up to a '#' that begins a comment.
+[[nodiscard]] std::string_view withoutComment(std::string_view line);
 
 /// The first word of a line of text, taken off it; empty where none is left.
 [[nodiscard]] std::string_view nextWord(std::string_view& line);

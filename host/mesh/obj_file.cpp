@@ -44,9 +44,8 @@ public:
         takePaint();
         if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), glm::vec4(1));
         for (ObjCorner& corner : file_.corners) {
-            if (corner.normal == ObjCorner::kNone || corner.normal < file_.normals.size()) continue;
-            corner.normal = ObjCorner::kNone;
-            ++file_.absentNormals;
+            forgetAbsent(corner.uv, file_.uvs.size(), file_.absentUvs);
+            forgetAbsent(corner.normal, file_.normals.size(), file_.absentNormals);
         }
         if (!source_.dropBadFaces) checkCorners();
         if (error_) return *error_;
@@ -73,7 +72,7 @@ private:
 
     void readStatement(std::string_view line) {
         if (line.starts_with("#MRGB ")) readPaint(trim(line.substr(6)));
-        if (const std::size_t comment = line.find('#'); comment != std::string_view::npos) line = line.substr(0, comment);
+        line = withoutComment(line);
         const std::string keyword = toLower(nextWord(line)); // some programs write capitals
         if (keyword.empty() || isIgnored(keyword)) return;
         if (keyword == "v")
@@ -185,17 +184,24 @@ private:
             std::int64_t index = 0;
             if (!parseWhole(text, index) || (field == 2 && !left.empty()))
                 fail(malformed(here(), fmt::format("'{}' is not a face corner", word.substr(0, 40))));
-            else if (field < 2 || !isAbsentNormal(index))
+            else if (field == 0 || !isAbsent(index, fields[field].second, field == 1 ? file_.absentUvs : file_.absentNormals))
                 usable &= setIndex(*fields[field].first, index, fields[field].second, word);
         }
         return usable ? std::optional(corner) : std::nullopt;
     }
 
-    /// Normals can be made anew, so a corner that names one before the first does without.
-    bool isAbsentNormal(std::int64_t index) {
-        const bool absent = index == 0 || index < -static_cast<std::int64_t>(file_.normals.size());
-        file_.absentNormals += absent;
+    /// The shape is whole without normals and texture coordinates, so a corner that names one before the first does without.
+    static bool isAbsent(std::int64_t index, std::size_t soFar, std::size_t& count) {
+        const bool absent = index == 0 || index < -static_cast<std::int64_t>(soFar);
+        count += absent;
         return absent;
+    }
+
+    /// So does one that names one behind the last, which is known when everything is read.
+    static void forgetAbsent(std::uint32_t& index, std::size_t size, std::size_t& count) {
+        if (index == ObjCorner::kNone || index < size) return;
+        index = ObjCorner::kNone;
+        ++count;
     }
 
     bool setIndex(std::uint32_t& target, std::int64_t index, std::size_t soFar, std::string_view word) {
@@ -244,15 +250,10 @@ private:
     /// What corners name may be defined further down: known when everything is read.
     void checkCorners() {
         for (std::size_t face = 0; face < file_.faces.size() && !error_; ++face)
-            for (const ObjCorner& corner : file_.cornersOf(face)) {
-                check(face, corner.position, file_.positions.size(), "vertex");
-                check(face, corner.uv, file_.uvs.size(), "texture coordinate");
-            }
-    }
-
-    void check(std::size_t face, std::uint32_t index, std::size_t size, const char* what) {
-        if (index < size || index == ObjCorner::kNone) return;
-        fail(badIndex(source_.atLine(file_.faces[face].line), fmt::format("the face refers to {} {} of {}", what, index + 1, size)));
+            for (const ObjCorner& corner : file_.cornersOf(face))
+                if (corner.position >= file_.positions.size())
+                    fail(badIndex(source_.atLine(file_.faces[face].line),
+                                  fmt::format("the face refers to vertex {} of {}", corner.position + 1, file_.positions.size())));
     }
 
     void fail(Error error) {

@@ -50,7 +50,8 @@ struct ObjFile {
     std::vector<ObjSection> sections;
     std::vector<std::string> libraries;         // of materials, as the file names them
     std::size_t badFaces = 0;                   // not among `faces`: they name an element before the first or beyond all that could be
-    std::size_t absentNormals = 0;              // corners that name a normal which the file has not: they name none
+    std::size_t absentUvs = 0;                  // corners that name texture coordinates which the file has not: they name none
+    std::size_t absentNormals = 0;              // the same of normals
     std::map<std::string, int> otherStatements; // the first line of each that is not understood
 
     [[nodiscard]] std::span<const ObjCorner> cornersOf(std::size_t face) const;

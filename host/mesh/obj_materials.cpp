@@ -36,7 +36,44 @@ std::map<std::string, fs::path> colourMaps(const Source& source, const fs::path&
     return maps;
 }
 
+constexpr std::string_view kTileMark = "<UDIM>";
+
+/// Painters of skin spread a head over squares of the plane, each with a picture of its own: 1001 is the unit square, 1002 the one to its
+/// right, 1011 the one above. Those in use become one picture, side by side.
+void useTiles(const Source& source, const std::string& pattern, Mesh& mesh) {
+    std::vector<glm::ivec2> tileOf(mesh.uvs.size());
+    std::map<int, std::string> pictures;
+    const auto number = [](const glm::ivec2& tile) { return 1001 + tile.x + 10 * tile.y; };
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const std::uint32_t* t = &mesh.indices[i];
+        const glm::vec2 middle = (mesh.uvs[t[0]] + mesh.uvs[t[1]] + mesh.uvs[t[2]]) / 3.0F;
+        constexpr float kMost = 9; // by ten tiles; in height as many
+        const glm::ivec2 tile(glm::clamp(glm::floor(glm::vec2(middle.x, 1 - middle.y)), 0.0F, kMost));
+        for (int corner = 0; corner < 3; ++corner)
+            tileOf[t[corner]] = tile;
+        std::string& picture = pictures[number(tile)];
+        if (picture.empty())
+            picture = std::string(pattern).replace(pattern.find(kTileMark), kTileMark.size(), std::to_string(number(tile)));
+    }
+    std::vector<std::string> names;
+    for (const auto& [tile, name] : pictures)
+        names.push_back(name);
+    for (std::size_t v = 0; v < mesh.uvs.size(); ++v) {
+        const auto place = std::distance(pictures.begin(), pictures.lower_bound(number(tileOf[v])));
+        mesh.uvs[v].x = (mesh.uvs[v].x + static_cast<float>(place - tileOf[v].x)) / static_cast<float>(names.size());
+        mesh.uvs[v].y += static_cast<float>(tileOf[v].y);
+    }
+    useColourSheet(source, names, mesh);
+}
+
 } // namespace
+
+bool namesTiles(const Source& source, const ObjFile& file) {
+    for (const std::string& library : file.libraries)
+        for (const fs::path& path : objLibrariesIn(source.path.parent_path(), library))
+            if (const auto text = readNamed(source, path); text && text->find(kTileMark) != std::string::npos) return true;
+    return false;
+}
 
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
     std::map<std::string, fs::path> maps;
@@ -55,7 +92,10 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
         }
         used = map->second;
     }
-    if (!used.empty()) useColourMap(source, used, mesh);
+    if (used.string().find(kTileMark) != std::string::npos)
+        useTiles(source, used.lexically_relative(source.path.parent_path()).string(), mesh);
+    else if (!used.empty())
+        useColourMap(source, used, mesh);
 }
 
 namespace {
@@ -88,7 +128,8 @@ void useColourSheet(const Source& source, const std::vector<std::string>& pictur
         sheet.height = std::max(sheet.height, images.back()->height);
         sheet.bitsPerChannel = std::max(sheet.bitsPerChannel, images.back()->bitsPerChannel);
     }
-    const int each = sheet.width;
+    constexpr int kMostSide = 16384; // texels of a picture
+    const int each = sheet.width = std::min(sheet.width, std::max(kMostSide / static_cast<int>(pictures.size()), 1));
     sheet.width *= static_cast<int>(pictures.size());
     sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 4, 1.0F);
     for (std::size_t i = 0; i < images.size(); ++i)

@@ -107,6 +107,10 @@ private:
         if (parts[0] == "format") return readFormat(parts);
         if (parts[0] == "element") return readElement(parts);
         if (parts[0] == "property") return readProperty(parts);
+        if (header_.elements.empty()) { // a comment in several lines, of which only the first says so
+            header_.otherLines.emplace_back(parts[0].substr(0, 80), header_.lines);
+            return std::nullopt;
+        }
         return wrong(fmt::format("unknown PLY header line '{}'", parts[0]));
     }
 
@@ -183,8 +187,10 @@ PlyValues::PlyValues(const Source& source, const PlyHeader& header)
     double items = 0;
     for (const PlyElement& element : header.elements)
         items += static_cast<double>(element.count);
-    const std::string_view data = source.bytes.substr(std::min(offset_, source.bytes.size()));
-    rowsAreLines_ = static_cast<double>(std::ranges::count(data, '\n')) + 1 >= items;
+    const std::string_view data = trim(source.bytes.substr(std::min(offset_, source.bytes.size())));
+    const double lines = static_cast<double>(std::ranges::count(data, '\n')) + 1;
+    rowsAreLines_ = lines >= items;
+    linesAreRows_ = lines == items;
 }
 
 SourcePosition PlyValues::at() const {
@@ -234,6 +240,14 @@ void PlyValues::checkRow(const PlyElement& element) {
                    fmt::format("the row has more values than the {} that the header declares for '{}': '{}'", element.properties.size(),
                                element.name, bytes.substr(next, std::min<std::size_t>(end - next, 40))),
                    "declare a property for each value, or export the mesh again"));
+}
+
+bool PlyValues::skipRestOfLine() {
+    if (!linesAreRows_ || error_) return false;
+    const std::size_t end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
+    const bool more = !trim(source_.bytes.substr(offset_, end - offset_)).empty();
+    if (more) offset_ = end;
+    return more;
 }
 
 void PlyValues::skip(const PlyElement& element) {

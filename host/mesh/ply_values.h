@@ -35,7 +35,8 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::size_t size = 0; // bytes up to the first of the data
     int lines = 0;
-    std::vector<std::string> pictures; // of the lines `comment TextureFile NAME`, as scanners' programs write them
+    std::vector<std::string> pictures;                   // of the lines `comment TextureFile NAME`, as scanners' programs write them
+    std::vector<std::pair<std::string, int>> otherLines; // before all elements: the first word and the line of what is not understood
 };
 
 /// Also refuses element counts that the rest of the file cannot hold.
@@ -56,6 +57,8 @@ public:
     void skipList(const PlyProperty& property);
     /// One of an element's items; lists are read over, and count as 0.
     void nextRow(const PlyElement& element, std::vector<double>& row);
+    /// Of a text where each line is an item: reads over what follows on it. TRUE where that is more than blanks.
+    bool skipRestOfLine();
     /// Reads over all items of an element.
     void skip(const PlyElement& element);
     /// Bytes behind the last element: a list was longer than the type of its length can say, or the header counts too few.
@@ -79,6 +82,7 @@ private:
     std::size_t offset_;
     int line_;
     bool rowsAreLines_ = false; // of a text: each item has a line of its own
+    bool linesAreRows_ = false; // and none has two
     std::optional<Error> error_;
 };
 

@@ -288,13 +288,29 @@ class GltfTextures {
 public:
     explicit GltfTextures(const GltfDocument& document) : document_(document) {}
     [[nodiscard]] std::optional<Error> add(const GltfValue& material, Mesh& mesh);
+    /// Of each texture of the mesh.
+    [[nodiscard]] const std::vector<PictureEdges>& edges() const { return edges_; }
 
 private:
     [[nodiscard]] std::optional<Error> addTexture(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh);
 
     const GltfDocument& document_;
     std::map<std::string, std::size_t> imageOfRole_;
+    std::vector<PictureEdges> edges_;
 };
+
+PictureEdges edgesOf(const GltfValue& texture, const GltfValue& samplers) {
+    PictureEdges edges = {PictureEdge::Repeat, PictureEdge::Repeat};
+    const auto sampler = texture.whole("sampler", samplers.size(), SIZE_MAX);
+    if (!sampler || *sampler >= samplers.size()) return edges;
+    for (const std::size_t axis : {0U, 1U}) {
+        constexpr std::size_t kClamp = 33071, kMirror = 33648;
+        const auto wrap = samplers[*sampler].whole(axis == 0 ? "wrapS" : "wrapT", 65536, 10497);
+        if (wrap && *wrap == kClamp) edges[axis] = PictureEdge::Clamp;
+        if (wrap && *wrap == kMirror) edges[axis] = PictureEdge::Mirror;
+    }
+    return edges;
+}
 
 /// How messages name a picture.
 std::string nameOf(const GltfDocument& document, std::size_t image) {
@@ -393,6 +409,7 @@ std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size
         return std::nullopt;
     }
     mesh.textures.push_back({.role = role, .image = std::move(*loaded)});
+    edges_.push_back(edgesOf(textures[texture], document_.root()["samplers"]));
     return std::nullopt;
 }
 
@@ -497,6 +514,7 @@ public:
         if (!allNormals_) mesh_.normals.clear();
         if (!allTangents_) mesh_.tangents.clear();
         finishUvs();
+        layOutPictures(source_, textures_.edges(), mesh_);
         if (skipped_ > 0) warn(mesh_, 5323, source_.whole(), fmt::format("{} primitives that are points or lines are left out", skipped_));
         counts_.vertices = mesh_.positions.size();
         if (source_.carryMaterials) {

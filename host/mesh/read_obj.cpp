@@ -122,6 +122,9 @@ private:
         if (file_.absentNormals > 0)
             warn(mesh(), 5324, source_.whole(),
                  fmt::format("{} corners name normals that the file has not: all are made anew", file_.absentNormals));
+        if (file_.absentUvs > 0)
+            warn(mesh(), 5325, source_.whole(),
+                 fmt::format("{} corners name texture coordinates that the file has not: they have none", file_.absentUvs));
         if (!mesh().uvs.empty() && withoutUv_ > 0)
             warn(mesh(), 5325, source_.whole(),
                  fmt::format("{} of {} vertices have no texture coordinates: (0, 0) is used", withoutUv_, mesh().positions.size()));
@@ -148,7 +151,7 @@ Result<ReadMesh> readObj(const Source& source) {
     const Result<ObjFile> file = parseObj(source);
     if (!file) return file.error();
     auto read = ObjReader(source, *file).read();
-    if (read && source.carryMaterials)
+    if (read && source.carryMaterials && !namesTiles(source, *file))
         carryObjMaterials(source, *file, read->materialNames, read->mesh);
     else if (read && !read->mesh.uvs.empty())
         addObjTextures(source, *file, read->mesh);

@@ -73,7 +73,7 @@ private:
         return words_.error();
     }
 
-    static std::string_view withoutComment(std::string_view line) { return trim(line.substr(0, line.find('#'))); }
+    static std::string_view withoutComment(std::string_view line) { return trim(meshfile::withoutComment(line)); }
 
     std::size_t countOf(std::string_view word, std::string_view what, std::size_t leastBytes) {
         std::size_t count = 0;

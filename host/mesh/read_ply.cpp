@@ -86,6 +86,11 @@ public:
         mesh().parts.push_back(
             {.name = source_.path.stem().string(), .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh().indices.size())});
         if (!mesh().uvs.empty()) addPicture();
+        for (const auto& [word, line] : header_.otherLines)
+            warn(mesh(), 5323, source_.atLine(line), fmt::format("the header's line '{}' is ignored", word));
+        if (longRows_ > 0)
+            warn(mesh(), 5323, source_.whole(),
+                 fmt::format("{} faces have more values than the header declares: the rest of their lines is ignored", longRows_));
         if (wedges_.missing)
             warn(mesh(), 5325, source_.whole(), "some corners have no texture coordinates: their vertex's are used, or (0, 0)",
                  "unwrap the whole mesh");
@@ -201,6 +206,7 @@ private:
                     otherPictures_ = otherPictures_ || number != 0;
                 }
             }
+            longRows_ += values_.skipRestOfLine();
             if (!usable || values_.error()) continue;
             for (std::size_t i = 0; sheet_ && i < numbers.size(); i += 2) {
                 const auto pictures = static_cast<double>(header_.pictures.size());
@@ -362,6 +368,7 @@ private:
     Polygons polygons_;
     std::vector<std::pair<std::size_t, std::uint64_t>> lastIndexOfFace_; // (indices so far, face), when vertices follow the faces
     bool verticesRead_ = false;
+    std::size_t longRows_ = 0;
     bool sheet_ = false;         // pictures lie side by side, as faces name them by number,
     bool otherPictures_ = false; // and not all name the first
     struct {

@@ -166,6 +166,24 @@ double overlapOf(const Chart& chart) {
 
 } // namespace
 
+void scaleToSurface(const Triangles& triangles, Chart& chart) {
+    constexpr double kMostStretch = 3; // of lengths: the area of needles in the plane is rounding, which may be next to nothing
+    double area = 0, flat = 0, length = 0, flatLength = 0;
+    for (std::size_t i = 0; i < chart.faces.size(); ++i) {
+        area += triangles.area(chart.faces[i]);
+        flat += std::abs(doubled(chart.places[i])) / 2;
+        for (const std::size_t corner : {0U, 1U, 2U}) {
+            const std::size_t next = (corner + 1) % 3;
+            length += glm::distance(triangles.place(chart.faces[i], corner), triangles.place(chart.faces[i], next));
+            flatLength += glm::distance(chart.places[i][corner], chart.places[i][next]);
+        }
+    }
+    const double scale = std::min(std::sqrt(area / flat), kMostStretch * length / flatLength);
+    for (auto& places : chart.places)
+        for (glm::dvec2& place : places)
+            place *= scale;
+}
+
 bool liesFlat(const Triangles& triangles, const Chart& chart) {
     return keepsSides(triangles, chart) && (chart.faces.size() == 1 || overlapOf(chart) <= kMostOverlap);
 }
@@ -189,19 +207,14 @@ Chart seen(const Triangles& triangles, Faces faces) {
     const glm::dvec3 v = glm::cross(towards, u);
     Chart chart{.faces = std::move(faces), .places = {}};
     const glm::dvec3 origin = triangles.place(chart.faces.front(), 0);
-    double flat = 0, area = 0;
     for (const std::uint32_t face : chart.faces) {
         std::array<glm::dvec2, 3>& places = chart.places.emplace_back();
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const glm::dvec3 at = triangles.place(face, corner) - origin;
             places[corner] = {glm::dot(at, u), glm::dot(at, v)};
         }
-        flat += std::abs(doubled(places)) / 2;
-        area += triangles.area(face);
     }
-    for (auto& places : chart.places)
-        for (glm::dvec2& place : places)
-            place *= std::sqrt(area / std::max(flat, 1e-300));
+    scaleToSurface(triangles, chart);
     return chart;
 }
 

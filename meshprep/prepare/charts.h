@@ -43,6 +43,9 @@ using Faces = std::vector<std::uint32_t>;
 /// The triangles with an area in connected pieces of at most `most`; what is connected and no larger stays whole.
 [[nodiscard]] std::vector<Faces> cutIntoPieces(const Triangles& triangles, std::size_t most);
 
+/// Makes the chart as large as its part of the surface.
+void scaleToSurface(const Triangles& triangles, Chart& chart);
+
 /// Whether no two triangles of the chart overlap, none is turned over, and none is far smaller in the plane than the others.
 [[nodiscard]] bool liesFlat(const Triangles& triangles, const Chart& chart);
 

@@ -53,8 +53,6 @@ Piece pieceOf(const Triangles& triangles, const Faces& faces) {
 Chart chartOf(const xatlas::internal::param::Chart& from, const Triangles& triangles, const Faces& piece) {
     const xatlas::internal::Mesh& mesh = *from.unifiedMesh();
     Chart chart;
-    double flat = 0;
-    double area = 0;
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
         chart.faces.push_back(piece[from.mapFaceToSourceFace(f)]);
         std::array<glm::dvec2, 3>& places = chart.places.emplace_back();
@@ -62,13 +60,8 @@ Chart chartOf(const xatlas::internal::param::Chart& from, const Triangles& trian
             const xatlas::internal::Vector2& at = mesh.texcoord(mesh.vertexAt(3 * f + corner));
             places[corner] = {at.x, at.y};
         }
-        const glm::dvec2 a = places[1] - places[0], b = places[2] - places[0];
-        flat += std::abs(a.x * b.y - a.y * b.x) / 2;
-        area += triangles.area(chart.faces.back());
     }
-    for (std::array<glm::dvec2, 3>& places : chart.places)
-        for (glm::dvec2& place : places)
-            place *= std::sqrt(area / flat);
+    scaleToSurface(triangles, chart);
     return chart;
 }
 

@@ -317,7 +317,8 @@ TEST(Jpeg, cmyk_is_refused_with_a_hint) {
 TEST_F(Images, every_truncation_is_one_error_with_a_byte_inside_the_file) {
     ASSERT_TRUE(writeExr(folder_ / "x.exr", ramp(40, 70, 3)));
     const auto pngBytes = encodePng(ramp(40, 70, 3), PngEncoding::Raw);
-    for (const std::string& whole : {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true)}) {
+    for (const std::string& whole :
+         {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true), bitmaps()[5], bitmaps().back()}) {
         for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97) {
             const auto read = decode(whole.substr(0, size));
             ASSERT_FALSE(read) << size << " of " << whole.size();
@@ -331,11 +332,111 @@ TEST_F(Images, every_truncation_is_one_error_with_a_byte_inside_the_file) {
     }
 }
 
+namespace {
+
+/// Numbers of two and four bytes, the last ones first.
+std::string le(std::initializer_list<std::pair<int, std::uint32_t>> numbers) {
+    std::string bytes;
+    for (auto [count, value] : numbers)
+        for (; count > 0; --count, value >>= 8)
+            bytes += static_cast<char>(value & 255);
+    return bytes;
+}
+
+/// `more`: masks or a table of colours, then the rows.
+std::string bmp(std::uint32_t width, std::int32_t height, std::uint32_t bits, std::uint32_t packing, std::uint32_t rowsAt,
+                const std::string& more) {
+    return "BM" +
+           le({{4, 0},
+               {4, 0},
+               {4, rowsAt},
+               {4, 40},
+               {4, width},
+               {4, static_cast<std::uint32_t>(height)},
+               {2, 1},
+               {2, bits},
+               {4, packing},
+               {4, 0},
+               {4, 0},
+               {4, 0},
+               {4, 0},
+               {4, 0}}) +
+           more;
+}
+
+std::string tga(std::uint32_t kind, std::uint32_t width, std::uint32_t height, std::uint32_t bits, std::uint32_t way,
+                const std::string& more) {
+    const std::uint32_t table = kind == 1 ? 2 : 0;
+    return le({{1, 0},
+               {1, table / 2},
+               {1, kind},
+               {2, 0},
+               {2, table},
+               {1, table * 12},
+               {2, 0},
+               {2, 0},
+               {2, width},
+               {2, height},
+               {1, bits},
+               {1, way}}) +
+           more;
+}
+
+const std::string kRed("\0\0\xff", 3), kBlue("\xff\0\0", 3), kWhite("\xff\xff\xff", 3), kBlack("\0\0\0", 3), kTwo("\0\0", 2);
+
+/// Red, blue; white, black.
+const std::vector<float> kFour = {1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0};
+
+std::vector<std::string> bitmaps() {
+    const std::string table = kBlack + '\0' + kRed + '\0' + kBlue + '\0' + kWhite + '\0' + std::string(12 * 4, '\0');
+    const std::string masks = le({{4, 0xf800}, {4, 0x7e0}, {4, 0x1f}});
+    return {bmp(2, 2, 24, 0, 54, kWhite + kBlack + kTwo + kRed + kBlue + kTwo),
+            bmp(2, -2, 24, 0, 54, kRed + kBlue + kTwo + kWhite + kBlack + kTwo),
+            bmp(2, -2, 32, 0, 54, kRed + "x" + kBlue + "x" + kWhite + "x" + kBlack + "x"),
+            bmp(2, -2, 16, 0, 54, le({{2, 0x7c00}, {2, 0x1f}, {2, 0x7fff}, {2, 0}})),
+            bmp(2, -2, 16, 3, 66, masks + le({{2, 0xf800}, {2, 0x1f}, {2, 0xffff}, {2, 0}})),
+            bmp(2, -2, 4, 0, 118, table + le({{4, 0x12}, {4, 0x30}})),
+            tga(2, 2, 2, 24, 0, kWhite + kBlack + kRed + kBlue),
+            tga(2, 2, 2, 24, 32, kRed + kBlue + kWhite + kBlack),
+            tga(2, 2, 2, 24, 48, kBlue + kRed + kBlack + kWhite),
+            tga(2, 2, 2, 16, 32, le({{2, 0x7c00}, {2, 0x1f}, {2, 0x7fff}, {2, 0x8000}})),
+            tga(10, 2, 2, 24, 32, '\0' + kRed + "\x02" + kBlue + kWhite + kBlack)};
+}
+
+} // namespace
+
+TEST(Bitmaps, of_every_kind_are_read) {
+    for (std::size_t i = 0; const std::string& bytes : bitmaps()) {
+        const auto image = decode(bytes);
+        ASSERT_TRUE(image) << i << format(image.error());
+        EXPECT_EQ(image->channels, 3) << i;
+        EXPECT_EQ(image->pixels, kFour) << i++;
+    }
+}
+
+TEST(Bitmaps, of_tables_greys_and_alpha_are_read) {
+    EXPECT_EQ(decode(bmp(2, 1, 1, 0, 62, kRed + '\0' + kBlue + '\0' + le({{4, 0x40}})))->pixels, (std::vector<float>{1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(decode(tga(1, 2, 1, 8, 0, kRed + kBlue + le({{1, 1}, {1, 0}})))->pixels, (std::vector<float>{0, 0, 1, 1, 0, 0}));
+    EXPECT_EQ(decode(tga(11, 3, 1, 8, 0, "\x82\xff"))->pixels, std::vector<float>(9, 1));
+    EXPECT_EQ(decode(tga(2, 1, 1, 32, 8, kRed + '\0'))->pixels, (std::vector<float>{1, 0, 0, 0}));
+}
+
+TEST(Bitmaps, that_end_early_or_are_packed_otherwise_are_one_error) {
+    for (const std::string& whole : bitmaps())
+        for (std::size_t size = 18; size < whole.size(); ++size)
+            EXPECT_EQ(codeOf(decode(whole.substr(0, size))), 5201) << size;
+    EXPECT_EQ(codeOf(decode(bmp(2, 2, 8, 1, 54, ""))), 5204) << "runs";
+    EXPECT_EQ(codeOf(decode(bmp(2, 1, 3, 0, 54, "12345678"))), 5202);
+    EXPECT_EQ(codeOf(decode(bmp(70000, 1, 24, 0, 54, ""))), 5203);
+    EXPECT_EQ(codeOf(decode(tga(1, 1, 1, 8, 0, kRed + kBlue + "\x07"))), 5202) << "a colour that the table does not have";
+}
+
 TEST_F(Images, damage_anywhere_neither_crashes_nor_throws) {
     ASSERT_TRUE(writeExr(folder_ / "x.exr", ramp(40, 70, 3)));
     const auto pngBytes = encodePng(ramp(40, 70, 3), PngEncoding::Raw);
     std::mt19937 random(1);
-    for (const std::string& whole : {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true)}) {
+    for (const std::string& whole :
+         {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true), bitmaps()[5], bitmaps().back()}) {
         for (int round = 0; round < 300; ++round) {
             std::string bytes = whole;
             for (int flips = 0; flips < 3; ++flips)

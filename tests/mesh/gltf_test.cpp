@@ -1,6 +1,7 @@
 #include "tests/mesh/files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace tegument;
@@ -281,6 +282,14 @@ TEST_F(Gltf, hostile_numbers_are_refused) {
         EXPECT_EQ(codeOf(load("a.glb", cases[i].bytes)), cases[i].code) << "case " << i;
 }
 
+TEST_F(Gltf, required_extensions_of_looks_alone_do_not_keep_the_shape_back) {
+    for (const char* name : {"KHR_materials_unlit", "KHR_techniques_webgl", "KHR_technique_webgl"}) {
+        Parts parts;
+        parts.more = std::string(R"(,"extensionsRequired":[")") + name + "\"]";
+        EXPECT_EQ(codeOf(load("a.glb", triangle(parts))), 0) << name;
+    }
+}
+
 TEST_F(Gltf, a_position_that_is_not_finite_is_refused) {
     std::string binary = triangleBinary();
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -370,5 +379,32 @@ TEST_F(Gltf, coordinates_are_those_that_the_colour_map_is_read_with) {
         EXPECT_LT(glm::length(mesh->uvs[mesh->indices[0]] - one.first), 1e-6F) << one.texture;
         EXPECT_LT(glm::length(mesh->uvs[mesh->indices[1]] - one.second), 1e-6F) << one.texture;
         EXPECT_FALSE(hasWarning(*mesh, 5323)) << one.texture;
+    }
+}
+
+TEST_F(Gltf, pictures_go_on_beyond_their_edges_as_their_samplers_say) {
+    ASSERT_TRUE(writePng(folder_ / "two.png", {.width = 2, .height = 1, .channels = 3, .pixels = {1, 0, 0, 0, 0, 1}, .metadata = {}},
+                         PngEncoding::Raw));
+    constexpr int kRepeat = 10497, kMirror = 33648, kClamp = 33071;
+    for (const int wrap : {kRepeat, kMirror, kClamp}) {
+        Parts parts;
+        parts.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0})";
+        parts.more = R"(,"images":[{"uri":"two.png"}],"samplers":[{"wrapS":)" + std::to_string(wrap) +
+                     R"(}],"textures":[{"source":0,"sampler":0}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,)"
+                     R"("extensions":{"KHR_texture_transform":{"offset":[-2,0],"scale":[5,1]}}}}}])";
+        const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+        ASSERT_TRUE(mesh) << wrap << format(mesh.error());
+        ASSERT_EQ(mesh->textures.size(), 1U) << wrap;
+        const Image& picture = mesh->textures[0].image;
+        const float first = mesh->uvs[mesh->indices[0]].x, second = mesh->uvs[mesh->indices[1]].x; // -2 and 3 in the file
+        for (double u = -1.95; u < 3; u += 0.1) {
+            const double tile = std::floor(u), within = u - tile;
+            bool red = within < 0.5;
+            if (wrap == kMirror && std::fmod(std::abs(tile), 2) == 1) red = !red;
+            if (wrap == kClamp && tile != 0) red = tile < 0;
+            const double drawn = std::lerp(static_cast<double>(first), static_cast<double>(second), (u + 2) / 5);
+            const auto texel = static_cast<int>((drawn - std::floor(drawn)) * picture.width);
+            EXPECT_EQ(picture.at(texel, 0, 0), red ? 1 : 0) << wrap << ", u " << u;
+        }
     }
 }

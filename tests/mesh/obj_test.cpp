@@ -1,3 +1,4 @@
+#include "host/mesh/read_mesh.h"
 #include "tests/mesh/files.h"
 
 using namespace tegument;
@@ -107,10 +108,9 @@ TEST_F(Obj, unknown_statements_are_ignored_with_a_warning_that_names_the_line) {
 TEST_F(Obj, bad_input_is_one_error_with_its_line) {
     const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const std::vector<Fault> faults = {
-        {three + "f 1 2 9\n", 5304, 4},       // beyond the last vertex
-        {three + "f 0 1 2\n", 5304, 4},       // OBJ counts from 1
-        {three + "f -4 1 2\n", 5304, 4},      // before the first
-        {three + "f 1/1 2/1 3/1\n", 5304, 4}, // there are no texture coordinates
+        {three + "f 1 2 9\n", 5304, 4},  // beyond the last vertex
+        {three + "f 0 1 2\n", 5304, 4},  // OBJ counts from 1
+        {three + "f -4 1 2\n", 5304, 4}, // before the first
         {three + "f 1 2 x\n", 5302, 4},
         {three + "f 1/2/3/4 2 3\n", 5302, 4},
         {three + "f 99999999999999999999 1 2\n", 5302, 4},
@@ -120,6 +120,7 @@ TEST_F(Obj, bad_input_is_one_error_with_its_line) {
         {"v 0 0 1e39\n", 5305, 1}, // beyond float
         {"v 0 0 1e999\n", 5305, 1},
         {"v inf 0 0\n", 5305, 1},
+        {"v 0 -1.#IND 0 # as older programs print it\n", 5305, 1},
         {three, 5306, 0},
         {three + "f 1 2\n", 5306, 0},
         {three + "f 1 1 2\n", 5306, 0}, // nothing but a degenerate triangle
@@ -216,6 +217,26 @@ TEST_F(Obj, says_which_picture_is_not_there) {
     EXPECT_NE(mesh->warnings[0].text.find("gone.png"), std::string::npos) << mesh->warnings[0].text;
 }
 
+TEST_F(Obj, brings_a_picture_for_each_tile_of_the_plane) {
+    std::filesystem::create_directory(folder_ / "maps");
+    for (const auto& [number, pixel] : {std::pair(1001, std::vector<float>{1, 0, 0}), std::pair(1012, std::vector<float>{0, 0, 1})})
+        ASSERT_TRUE(writePng(folder_ / "maps" / ("skin." + std::to_string(number) + ".png"),
+                             {.width = 1, .height = 1, .channels = 3, .pixels = pixel, .metadata = {}}, PngEncoding::Raw));
+    write("my scan.mtl", "newmtl skin\nmap_Kd maps/skin.<UDIM>.png\n");
+    const std::string text = std::string(kMaterialObj) + "v 5 0 0\nv 6 0 0\nv 5 1 0\nvt 1.25 1.5\nvt 2 1\nvt 1 2\nf 4/4 5/5 6/6\n";
+    const auto mesh = load("a.obj", text);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    ASSERT_EQ(mesh->textures.size(), 1U);
+    const Image& sheet = mesh->textures[0].image;
+    ASSERT_EQ(sheet.width, 2);
+    EXPECT_EQ(sheet.at(0, 0, 0), 1);
+    EXPECT_EQ(sheet.at(1, 0, 2), 1);
+    EXPECT_EQ(mesh->uvs, (std::vector<glm::vec2>{{0, 1}, {0.5F, 1}, {0, 0}, {0.625F, 0.5F}, {1, 1}, {0.5F, 0}}));
+    const auto carried = readMesh(folder_ / "a.obj", {.carryMaterials = true});
+    ASSERT_TRUE(carried);
+    EXPECT_EQ(carried->mesh.textures.size(), 1U) << "prepared meshes keep it";
+}
+
 namespace {
 
 const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -260,5 +281,18 @@ TEST_F(Obj, names_of_normals_that_are_absent_are_told_and_made_anew) {
         ASSERT_TRUE(mesh) << face << format(mesh.error());
         EXPECT_TRUE(hasWarning(*mesh, 5324)) << face;
         EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1)) << face;
+    }
+}
+
+TEST_F(Obj, names_of_texture_coordinates_that_are_absent_are_told_and_the_shape_is_kept) {
+    for (const char* face : {"f 1/1 2/1 3/1\n", "f 1/0 2/0 3/0\n", "f 1/-1 2/-1 3/-1\n", "vt .5 .25\nf 1/1 2/2 3/3\n"}) {
+        const auto mesh = load("a.obj", kThree + face);
+        ASSERT_TRUE(mesh) << face << format(mesh.error());
+        EXPECT_TRUE(hasWarning(*mesh, 5325)) << face;
+        EXPECT_EQ(mesh->positions.size(), 3U) << face;
+        if (std::string_view(face).starts_with("vt"))
+            EXPECT_EQ(mesh->uvs, (std::vector<glm::vec2>{{0.5F, 0.75F}, {0, 0}, {0, 0}})) << "those that are there are kept";
+        else
+            EXPECT_TRUE(mesh->uvs.empty()) << face;
     }
 }

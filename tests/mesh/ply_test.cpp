@@ -105,11 +105,33 @@ TEST_F(Ply, bad_headers_are_named_by_line) {
         {"ply\nformat ascii 1.0\nproperty float x\nend_header\n", 5302, 3},
         {"ply\nformat ascii 1.0\nelement vertex 1\nproperty quaternion x\nend_header\n", 5302, 4},
         {"ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\nend_header\n", 5302, 4},
-        {"ply\nformat ascii 1.0\nelements\nend_header\n", 5302, 3},
+        {"ply\nformat ascii 1.0\nelement face 0\nelements\nend_header\n", 5302, 4},
         {header("ascii", "element vertex 1\nproperty float x\n") + "0\n", 5302, 3}, // no y and z
         {header("ascii", std::string(kVertices) + "element face 1\nproperty int x\n") + "0 0 0 0 0 0 0 0 0 0 0 0 5\n", 5302, 7},
     };
     expectFaults("a.ply", faults);
+}
+
+TEST_F(Ply, a_comment_in_several_lines_is_told_and_the_mesh_is_read) {
+    std::string text = header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+    text.insert(text.find("element"), "Created by a program, source file:\nhead.blend\n");
+    const auto mesh = load("a.ply", text);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 6U);
+    ASSERT_TRUE(hasWarning(*mesh, 5323));
+    EXPECT_EQ(mesh->warnings[0].at.line, 3);
+}
+
+TEST_F(Ply, faces_of_more_values_than_declared_are_told_and_read) {
+    const std::string four = header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    const auto mesh = load("a.ply", four + "3 0 1 2 9 1 1 .5\n3 0 2 3 9 1 1 .5\n\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+    EXPECT_TRUE(hasWarning(*mesh, 5323));
+    const auto wrapped = load("a.ply", four + "3 0 1\n2 3 0\n2 3\n");
+    ASSERT_TRUE(wrapped) << "rows that end elsewhere than lines" << format(wrapped.error());
+    EXPECT_EQ(wrapped->indices, mesh->indices);
+    EXPECT_FALSE(hasWarning(*wrapped, 5323));
 }
 
 TEST_F(Ply, bad_data_is_one_error) {

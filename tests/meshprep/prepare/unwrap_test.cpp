@@ -212,6 +212,17 @@ TEST(UnwrapOfSmooth, surfaces_of_fine_triangles_never_overlap) {
     }
 }
 
+TEST(UnwrapOfSmooth, needles_of_no_width_leave_the_square_to_the_others) {
+    Surface capsule = sheet(16, 12, true, [](double u, double v) { // at its ends the sine is rounding: 16 corners 1e-15 mm apart
+        const double turn = std::numbers::pi * v;
+        return glm::vec3(30 * std::sin(turn) * std::cos(kRound * u), 30 * std::cos(turn), 30 * std::sin(turn) * std::sin(kRound * u));
+    });
+    const auto made = unwrap(capsule);
+    ASSERT_TRUE(made) << format(made.error());
+    EXPECT_GT(made->covered, 0.3);
+    EXPECT_LE(examineUvs(capsule.mesh).overlapping, 1e-3);
+}
+
 TEST(UnwrapOfSmooth, pieces_are_bounded_connected_and_whole) {
     const Surface surface = ring();
     const Triangles triangles(surface);

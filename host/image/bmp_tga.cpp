@@ -104,6 +104,7 @@ Result<Image> decodeBmp(const Encoded& in) {
     const std::uint32_t header = at(14, 4);
     const bool old = header == 12;
     if (!old && header < 40) return damaged(in, 14, "a header of another length");
+    if (in.bytes.size() - 14 < header) return truncated(in, in.bytes.size(), "no whole header");
     const auto height = static_cast<std::int32_t>(old ? at(20, 2) : at(22, 4));
     const std::uint32_t packing = old ? 0 : at(30, 4);
     Layout from{.width = old ? at(18, 2) : at(18, 4),

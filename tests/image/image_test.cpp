@@ -317,8 +317,7 @@ TEST(Jpeg, cmyk_is_refused_with_a_hint) {
 TEST_F(Images, every_truncation_is_one_error_with_a_byte_inside_the_file) {
     ASSERT_TRUE(writeExr(folder_ / "x.exr", ramp(40, 70, 3)));
     const auto pngBytes = encodePng(ramp(40, 70, 3), PngEncoding::Raw);
-    for (const std::string& whole :
-         {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true), bitmaps()[5], bitmaps().back()}) {
+    for (const std::string& whole : {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true)}) {
         for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97) {
             const auto read = decode(whole.substr(0, size));
             ASSERT_FALSE(read) << size << " of " << whole.size();

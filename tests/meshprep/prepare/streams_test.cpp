@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -39,15 +40,23 @@ struct Stream {
 };
 
 constexpr std::array kStreams = {
-    Stream{"COLOR_0", 4, 5126, 1},      Stream{"COLOR_0", 4, 5121, 255},      Stream{"COLOR_0", 4, 5123, 65535},
-    Stream{"TEXCOORD_0", 2, 5126, 1},   Stream{"TEXCOORD_0", 2, 5121, 255},   Stream{"TEXCOORD_0", 2, 5123, 65535},
-    Stream{"TEXCOORD_1", 2, 5121, 255}, Stream{"TEXCOORD_1", 2, 5123, 65535}, Stream{"_HEAT", 4, 5121, 255},
-    Stream{"NORMAL", 4, 5120, 127},
+    Stream{"POSITION", 3, 5126, 1},       Stream{"POSITION", 3, 5120, 127},     Stream{"POSITION", 3, 5121, 255},
+    Stream{"POSITION", 3, 5122, 32767},   Stream{"POSITION", 3, 5123, 65535},   Stream{"COLOR_0", 3, 5126, 1},
+    Stream{"COLOR_0", 3, 5121, 255},      Stream{"COLOR_0", 3, 5123, 65535},    Stream{"COLOR_0", 4, 5126, 1},
+    Stream{"COLOR_0", 4, 5121, 255},      Stream{"COLOR_0", 4, 5123, 65535},    Stream{"TEXCOORD_0", 2, 5126, 1},
+    Stream{"TEXCOORD_0", 2, 5121, 255},   Stream{"TEXCOORD_0", 2, 5123, 65535}, Stream{"TEXCOORD_1", 2, 5121, 255},
+    Stream{"TEXCOORD_1", 2, 5123, 65535}, Stream{"_HEAT", 4, 5121, 255},        Stream{"NORMAL", 4, 5120, 127},
+    Stream{"NORMAL", 4, 5122, 32767},     Stream{"NORMAL", 4, 5126, 1},         Stream{"TANGENT", 4, 5120, 127},
+    Stream{"TANGENT", 4, 5122, 32767},    Stream{"TANGENT", 4, 5126, 1},
 };
 
-/// Of place and channel: fifteenths, which 8 and 16 bits hold exactly. Normals are unit vectors along axes.
+/// Of place and channel: fifteenths, which 8 and 16 bits hold exactly. Normals and tangents are unit vectors along axes, places tenths of
+/// what the node makes of them.
 double meant(const Stream& stream, std::size_t place, std::size_t channel) {
-    if (std::string_view(stream.name) == "NORMAL") return channel == place % 3 ? (place == 3 ? -1 : 1) : 0;
+    const std::string_view name = stream.name;
+    if (name == "POSITION") return static_cast<double>(kPlaces[place][channel]) / 10;
+    if (name == "TANGENT" && channel == 3) return place % 2 == 0 ? 1 : -1;
+    if (name == "NORMAL" || name == "TANGENT") return channel == place % 3 ? (place == 3 ? -1 : 1) : 0;
     return static_cast<double>((place * 4 + channel) % 16) / 15;
 }
 
@@ -66,6 +75,7 @@ void withValues(const Stream& stream, Use use) {
     switch (stream.componentType) {
     case 5120: return use(stored<std::int8_t>(stream), draco::DT_INT8);
     case 5121: return use(stored<std::uint8_t>(stream), draco::DT_UINT8);
+    case 5122: return use(stored<std::int16_t>(stream), draco::DT_INT16);
     case 5123: return use(stored<std::uint16_t>(stream), draco::DT_UINT16);
     default: return use(stored<float>(stream), draco::DT_FLOAT32);
     }
@@ -78,14 +88,16 @@ std::size_t channelsOf(const Stream& stream) {
 void addDraco(GltfText& gltf, const Stream& stream, bool normalised) {
     draco::TriangleSoupMeshBuilder builder;
     builder.Start(4);
-    const int places = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
     withValues(stream, [&](const auto& values, draco::DataType type) {
         const auto channels = static_cast<std::int8_t>(channelsOf(stream));
-        const int extra = builder.AddAttribute(draco::GeometryAttribute::GENERIC, channels, type);
+        const bool isPlace = std::string_view(stream.name) == "POSITION";
+        const auto kind = isPlace ? draco::GeometryAttribute::POSITION : draco::GeometryAttribute::GENERIC;
+        const int places = isPlace ? -1 : builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+        const int extra = builder.AddAttribute(kind, channels, type);
         for (std::uint32_t f = 0; f < 4; ++f) {
             const auto& t = kFaces[f];
             const draco::FaceIndex face(f);
-            builder.SetAttributeValuesForFace(places, face, kPlaces[t[0]].data(), kPlaces[t[1]].data(), kPlaces[t[2]].data());
+            if (!isPlace) builder.SetAttributeValuesForFace(places, face, kPlaces[t[0]].data(), kPlaces[t[1]].data(), kPlaces[t[2]].data());
             builder.SetAttributeValuesForFace(extra, face, &values[t[0] * stream.components], &values[t[1] * stream.components],
                                               &values[t[2] * stream.components]);
         }
@@ -98,14 +110,15 @@ void addDraco(GltfText& gltf, const Stream& stream, bool normalised) {
         const std::size_t view = gltf.addBytes({packed.data(), packed.size()});
         for (Json& accessor : gltf.json["accessors"])
             accessor.erase("bufferView");
-        gltf.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
-            {"bufferView", view},
-            {"attributes", {{"POSITION", mesh->attribute(places)->unique_id()}, {stream.name, mesh->attribute(extra)->unique_id()}}}};
+        Json& packing = gltf.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"];
+        packing = {{"bufferView", view}, {"attributes", {{stream.name, mesh->attribute(extra)->unique_id()}}}};
+        if (!isPlace) packing["attributes"]["POSITION"] = mesh->attribute(places)->unique_id();
     });
 }
 
 std::string fileOf(const Stream& stream, Packing packing) {
     GltfText gltf = tetrahedron();
+    if (std::string_view(stream.name) == "POSITION") gltf.json["nodes"][0]["scale"] = {10, 10, 10};
     const char* type = channelsOf(stream) == 2 ? "VEC2" : channelsOf(stream) == 3 ? "VEC3" : "VEC4";
     withValues(stream, [&](const auto& values, draco::DataType) {
         using T = typename std::decay_t<decltype(values)>::value_type;
@@ -163,6 +176,8 @@ std::map<std::array<float, 3>, std::vector<double>> readStream(const Mesh& mesh,
             const auto channel = static_cast<glm::length_t>(c);
             if (name == "COLOR_0" && !mesh.colors.empty()) values.push_back(static_cast<double>(mesh.colors[v][channel]));
             if (name == "TEXCOORD_0" && !mesh.uvs.empty()) values.push_back(static_cast<double>(mesh.uvs[v][channel]));
+            if (name == "POSITION") values.push_back(static_cast<double>(mesh.positions[v][channel]) / 10);
+            if (name == "TANGENT" && !mesh.tangents.empty()) values.push_back(static_cast<double>(mesh.tangents[v][channel]));
             if (name == "NORMAL" && !mesh.normals.empty()) values.push_back(static_cast<double>(mesh.normals[v][channel]));
             if (kept != mesh.attributes.end()) values.push_back(kept->values[v * kept->components + c] / stream.one);
         }
@@ -261,23 +276,129 @@ TEST_F(Streams, are_read_alike_however_they_are_stored_and_packed) {
         }
 }
 
-TEST_F(Streams, colours_of_ply_are_alike_in_every_type) {
-    const auto colours = [&](const char* type, const char* one, const char* half) {
-        std::string text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-        for (const char* channel : {"red", "green", "blue"})
-            text += std::string("property ") + type + " " + channel + "\n";
-        text += kPlyFaces;
-        for (const auto& p : kPlaces)
-            text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " " + one + " " + half + " 0\n";
-        const auto read = readMesh(write("colours.ply", text + kPlyCorners), {.unitMm = 1});
-        EXPECT_TRUE(read) << type;
-        return read ? read->mesh.colors : std::vector<glm::vec4>();
-    };
-    const auto bytes = colours("uchar", "255", "51");
-    ASSERT_EQ(bytes.size(), 4U);
-    for (const auto& other : {colours("ushort", "65535", "13107"), colours("float", "1", "0.2"), colours("double", "1.0", "0.2")}) {
-        ASSERT_EQ(other.size(), 4U);
-        EXPECT_NEAR(glm::length(other[0] - bytes[0]), 0, 1e-6);
+namespace {
+
+enum class Order { Text, Little, Big };
+
+/// Places, normals, texture coordinates with v up, and colours: of each place the same numbers whatever the format.
+struct Row {
+    std::array<double, 3> place{}, normal{};
+    std::array<double, 2> uv{};
+    std::array<double, 3> color{};
+};
+
+Row rowAt(std::size_t place) {
+    Row row;
+    for (std::size_t c = 0; c < 3; ++c) {
+        row.place[c] = static_cast<double>(kPlaces[place][c]);
+        row.normal[c] = c == place % 3 ? 1 : 0;
+        row.color[c] = static_cast<double>((place * 3 + c) % 6) / 5;
+    }
+    row.uv = {static_cast<double>(place) / 4, static_cast<double>(place * place) / 16}; // floats, exactly
+    return row;
+}
+
+template <class T>
+std::string bytesOf(double value, bool swap) {
+    const auto number = static_cast<T>(value);
+    std::string bytes(reinterpret_cast<const char*>(&number), sizeof number);
+    if (swap) std::ranges::reverse(bytes);
+    return bytes;
+}
+
+std::string plyNumber(double value, const std::string& type, Order order) {
+    if (order == Order::Text) return fmt::format("{} ", value);
+    const bool swap = (order == Order::Big) == (std::endian::native == std::endian::little);
+    if (type == "uchar") return bytesOf<std::uint8_t>(value, swap);
+    if (type == "ushort") return bytesOf<std::uint16_t>(value, swap);
+    if (type == "int") return bytesOf<std::int32_t>(value, swap);
+    return type == "float" ? bytesOf<float>(value, swap) : bytesOf<double>(value, swap);
+}
+
+/// `type` of all numbers but the colours'; `one`: what stands for 1 there.
+std::string plyOf(Order order, const std::string& type, const std::string& colorType, double one) {
+    constexpr std::array kOrders = {"ascii", "binary_little_endian", "binary_big_endian"};
+    std::string text = fmt::format("ply\nformat {} 1.0\nelement vertex 4\n", kOrders[static_cast<std::size_t>(order)]);
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"})
+        text += "property " + type + " " + name + "\n";
+    for (const char* name : {"red", "green", "blue"})
+        text += "property " + colorType + " " + name + "\n";
+    text += kPlyFaces;
+    for (std::size_t place = 0; place < 4; ++place) {
+        const Row row = rowAt(place);
+        for (const double value :
+             {row.place[0], row.place[1], row.place[2], row.normal[0], row.normal[1], row.normal[2], row.uv[0], row.uv[1]})
+            text += plyNumber(value, type, order);
+        for (const double value : row.color)
+            text += plyNumber(value * one, colorType, order);
+        if (order == Order::Text) text += "\n";
+    }
+    for (const auto& face : kFaces) {
+        text += plyNumber(3, "uchar", order);
+        for (const std::uint32_t corner : face)
+            text += plyNumber(corner, "int", order);
+        if (order == Order::Text) text += "\n";
+    }
+    return text;
+}
+
+std::string objOf() {
+    std::string text;
+    for (std::size_t place = 0; place < 4; ++place) {
+        const auto [p, n, t, c] = rowAt(place);
+        text +=
+            fmt::format("v {} {} {} {} {} {}\nvt {} {}\nvn {} {} {}\n", p[0], p[1], p[2], c[0], c[1], c[2], t[0], t[1], n[0], n[1], n[2]);
+    }
+    for (const auto& f : kFaces)
+        text += fmt::format("f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", f[0] + 1, f[1] + 1, f[2] + 1);
+    return text;
+}
+
+std::string offOf(double one) {
+    std::string text = "STCNOFF\n4 4 0\n";
+    for (std::size_t place = 0; place < 4; ++place) {
+        const auto [p, n, t, c] = rowAt(place);
+        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}\n", p[0], p[1], p[2], n[0], n[1], n[2], one * c[0], one * c[1], one * c[2],
+                            one, t[0], t[1]);
+    }
+    for (const auto& f : kFaces)
+        text += fmt::format("3 {} {} {}\n", f[0], f[1], f[2]);
+    return text;
+}
+
+} // namespace
+
+TEST_F(Streams, are_alike_in_every_format_of_text_and_order_of_bytes) {
+    std::vector<std::pair<std::string, std::string>> files = {{"a.obj", objOf()}, {"bytes.off", offOf(255)}};
+    const std::array<std::pair<const char*, double>, 4> colors = {{{"uchar", 255}, {"ushort", 65535}, {"float", 1}, {"double", 1}}};
+    for (const Order order : {Order::Text, Order::Little, Order::Big})
+        for (const char* type : {"float", "double"})
+            for (const auto& [colorType, one] : colors)
+                files.emplace_back(fmt::format("{}_{}_{}.ply", static_cast<int>(order), type, colorType),
+                                   plyOf(order, type, colorType, one));
+    for (const auto& [name, bytes] : files) {
+        const auto read = readMesh(write(name, bytes), {.unitMm = 1});
+        ASSERT_TRUE(read) << name << format(read.error());
+        const Mesh& mesh = read->mesh;
+        ASSERT_EQ(mesh.positions.size(), 4U) << name;
+        ASSERT_EQ(mesh.indices.size(), 12U) << name;
+        ASSERT_EQ(mesh.colors.size(), 4U) << name;
+        ASSERT_EQ(mesh.uvs.size(), 4U) << name;
+        for (std::size_t v = 0; v < 4; ++v) {
+            const std::size_t place = mesh.positions[v].x > 0 ? 1 : mesh.positions[v].y > 0 ? 2 : mesh.positions[v].z > 0 ? 3 : 0;
+            const Row row = rowAt(place);
+            EXPECT_EQ(mesh.positions[v], glm::vec3(row.place[0], row.place[1], row.place[2])) << name;
+            EXPECT_EQ(mesh.uvs[v], glm::vec2(row.uv[0], 1 - row.uv[1])) << name;
+            ASSERT_EQ(mesh.normals.size(), 4U) << name;
+            EXPECT_EQ(mesh.normals[v], glm::vec3(row.normal[0], row.normal[1], row.normal[2])) << name;
+            for (glm::length_t c = 0; c < 3; ++c) // sRGB, IEC 61966-2-1
+                EXPECT_NEAR(mesh.colors[v][c],
+                            row.color[static_cast<std::size_t>(c)] > 0
+                                ? std::pow((row.color[static_cast<std::size_t>(c)] + 0.055) / 1.055, 2.4)
+                                : 0,
+                            1e-5)
+                    << name;
+        }
     }
 }
 

@@ -125,6 +125,10 @@ std::string encodeDds(const DdsTexture& texture, DdsHeader header) {
     const dds::FormatRow& format = dds::row(texture.format);
     const bool blueFirst = header == DdsHeader::Direct3D9 && format.bytesPerChannel == 1;
     std::string bytes = headerOf(texture, header);
+    std::size_t values = 0;
+    for (const Image& image : texture.images)
+        values += image.pixels.size();
+    bytes.reserve(bytes.size() + values * static_cast<std::size_t>(format.bytesPerChannel));
     for (const Image& image : texture.images) {
         assert(image.channels == format.channels);
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {

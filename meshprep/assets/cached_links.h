@@ -13,8 +13,7 @@ inline constexpr const char* kSkinLinksGenerator = "skin links";
 [[nodiscard]] Result<std::filesystem::path> cachedSkinLinks(const Mesh& mesh, const Say& say);
 
 /// The links, and beside them a JSON file that says of what mesh and profile they are.
-[[nodiscard]] Result<void> writeSkinLinks(const std::filesystem::path& file, const Mesh& mesh, const SkinLinks& links,
-                                          const LinkOptions& options);
+[[nodiscard]] Result<void> writeSkinLinks(const std::filesystem::path& file, const Mesh& mesh, SkinLinks links, const LinkOptions& options);
 
 /// TG4055 where the JSON file beside the links says that they were made for another mesh; links without one are taken as they are.
 [[nodiscard]] Result<void> checkSkinLinks(const std::filesystem::path& file, const Mesh& mesh);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace tegument::prep {
@@ -16,6 +17,8 @@ namespace {
 
 /// xatlas's time grows with the square of a chart's triangles, so what is connected is cut into pieces of no more.
 constexpr std::size_t kMostTriangles = 4096;
+/// Of more triangles than this, half as many each: texels are too few there for what a longer seam costs.
+constexpr std::size_t kMany = 250'000;
 constexpr double kMostOfAll = 1e-3; // what loadMesh warns of
 
 /// Charts of a piece that lie flat: xatlas's, or where these do not, ones of bounded turn.
@@ -39,14 +42,59 @@ std::vector<Chart> chartsOf(const Triangles& triangles, const Faces& piece) {
     return charts;
 }
 
+/// Two halves of a chart, one beside the other along x or y.
+std::array<Chart, 2> halvesAlong(const Chart& chart, glm::length_t axis) {
+    std::vector<std::pair<double, std::size_t>> along;
+    for (std::size_t i = 0; i < chart.faces.size(); ++i)
+        along.emplace_back(chart.places[i][0][axis] + chart.places[i][1][axis] + chart.places[i][2][axis], i);
+    std::ranges::sort(along);
+    std::array<Chart, 2> halves;
+    for (std::size_t k = 0; k < along.size(); ++k) {
+        Chart& half = halves[2 * k < along.size() ? 0 : 1];
+        half.faces.push_back(chart.faces[along[k].second]);
+        half.places.push_back(chart.places[along[k].second]);
+    }
+    return halves;
+}
+
+/// A chart far longer than the square that all would fill leaves the square empty, and packing takes the time of its length.
+std::vector<Chart> withoutLong(std::vector<Chart> charts) {
+    constexpr double kMostLength = 4; // sides of that square
+    double area = 0;
+    for (const Chart& chart : charts)
+        for (const auto& [p, q, r] : chart.places)
+            area += std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 2;
+    std::vector<Chart> kept;
+    std::ranges::reverse(charts);
+    while (!charts.empty()) {
+        Chart chart = std::move(charts.back());
+        charts.pop_back();
+        glm::dvec2 low(INFINITY), high(-INFINITY);
+        for (const auto& places : chart.places)
+            for (const glm::dvec2& place : places) {
+                low = glm::min(low, place);
+                high = glm::max(high, place);
+            }
+        const glm::dvec2 size = high - low;
+        if (chart.faces.size() == 1 || !(std::max(size.x, size.y) > kMostLength * std::sqrt(area))) {
+            kept.push_back(std::move(chart));
+            continue;
+        }
+        auto [first, second] = halvesAlong(chart, size.x >= size.y ? 0 : 1);
+        charts.push_back(std::move(second));
+        charts.push_back(std::move(first));
+    }
+    return kept;
+}
+
 std::vector<Chart> allCharts(const Triangles& triangles) {
-    const std::vector<Faces> pieces = cutIntoPieces(triangles, kMostTriangles);
+    const std::vector<Faces> pieces = cutIntoPieces(triangles, triangles.count() > kMany ? kMostTriangles / 2 : kMostTriangles);
     std::vector<std::vector<Chart>> found(pieces.size());
     forEachInParallel(pieces.size(), [&](std::size_t i) { found[i] = chartsOf(triangles, pieces[i]); });
     std::vector<Chart> charts;
     for (std::vector<Chart>& some : found)
         std::ranges::move(some, std::back_inserter(charts));
-    return charts;
+    return withoutLong(std::move(charts));
 }
 
 /// Vertices anew: one for each pair of a vertex of the mesh and a chart. Triangles without an area lie in one point.

@@ -32,10 +32,11 @@ int prepLinks(LinkArguments& arguments) {
     const auto mesh = loadMesh(arguments.input, arguments.mesh);
     if (!mesh) return fail(mesh.error(), arguments.json);
     progress.say("linking");
-    const auto links = makeSkinLinks(*mesh, arguments.links);
+    auto links = makeSkinLinks(*mesh, arguments.links);
     progress.clear();
     if (!links) return fail(links.error(), arguments.json);
-    if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, *links, arguments.links); !written)
+    const int width = links->sheet.width, height = links->sheet.height;
+    if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, std::move(*links), arguments.links); !written)
         return fail(written.error(), arguments.json);
     if (arguments.json) {
         print({{"files", {arguments.output, beside.string()}}, {"links", links->links}, {"lists", links->lists}});
@@ -44,8 +45,8 @@ int prepLinks(LinkArguments& arguments) {
     const SkinLinks::Seconds& s = links->seconds;
     fmt::print("{} links to {} texels of {:.3g} mm: {:.1f} each, at most {}\n", links->links, links->lists, links->sideMm,
                static_cast<double>(links->links) / static_cast<double>(std::max<std::size_t>(links->lists, 1)), links->longest);
-    fmt::print("sheet of {} x {} texels, {:.1f} MB\n", links->sheet.width, links->sheet.height,
-               static_cast<double>(links->sheet.pixels.size()) * 2 / 1e6);
+    constexpr double kTexelBytes = 8;
+    fmt::print("sheet of {} x {} texels, {:.1f} MB\n", width, height, kTexelBytes * width * height / 1e6);
     fmt::print("{:.3f} s to make: cells {:.3f}, links {:.3f}, sheet {:.3f}\n", s.cells + s.links + s.sheet, s.cells, s.links, s.sheet);
     fmt::print("wrote {}\nwrote {}\n", arguments.output, beside.string());
     return 0;

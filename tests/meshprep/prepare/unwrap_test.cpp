@@ -223,6 +223,15 @@ TEST(UnwrapOfSmooth, needles_of_no_width_leave_the_square_to_the_others) {
     EXPECT_LE(examineUvs(capsule.mesh).overlapping, 1e-3);
 }
 
+TEST(UnwrapOfSmooth, a_strip_is_cut_to_the_length_of_the_square) {
+    Surface strip = sheet(200, 1, false, [](double u, double v) { return glm::vec3(1000 * u, 0.1 * v, 0); });
+    const auto made = unwrap(strip);
+    ASSERT_TRUE(made) << format(made.error());
+    EXPECT_GT(made->charts, 20U);
+    EXPECT_GT(made->covered, 0.02) << "a ten-thousandth as one chart";
+    EXPECT_LE(examineUvs(strip.mesh).overlapping, 1e-3);
+}
+
 TEST(UnwrapOfSmooth, pieces_are_bounded_connected_and_whole) {
     const Surface surface = ring();
     const Triangles triangles(surface);

@@ -35,7 +35,8 @@ int prepLinks(LinkArguments& arguments) {
     auto links = makeSkinLinks(*mesh, arguments.links);
     progress.clear();
     if (!links) return fail(links.error(), arguments.json);
-    const int width = links->sheet.width, height = links->sheet.height;
+    const int width = links->sheet.width;
+    const int height = links->sheet.height;
     if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, std::move(*links), arguments.links); !written)
         return fail(written.error(), arguments.json);
     if (arguments.json) {

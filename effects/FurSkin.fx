@@ -40,6 +40,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/fur_lock_parameters.fxh"
 #include "passes/relight.fxh"
 #include "passes/fur_opacity.fxh"
+#include "passes/fur_fibre_light.fxh"
 static const float kLockHidden = 0.0; // at a parting nothing of a strand is
 #include "passes/fur_locks.fxh"
 #include "passes/profile.fxh"

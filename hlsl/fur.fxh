@@ -9,5 +9,6 @@
 #include "../hlsl/fur/cones.fxh"
 #include "../hlsl/fur/roots.fxh"
 #include "../hlsl/fur/ribbons.fxh"
+#include "../hlsl/fur/fibre.fxh"
 #include "../hlsl/fur/sweep.fxh"
 // SPDX-License-Identifier: MIT

@@ -167,7 +167,7 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
             TgRibbon ribbon = tgRibbon(input.uv.x);
             ribbon.along = max(ribbonAlong(min(2.0 * row, ribbonSegments())), share.begin);
             RibbonPlace place = lockPlace(looks.strand, ribbon.along);
-            float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
+            float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, false, input);
             float radius = share.width * lockRadius(looks, ribbon.along, under);
             ribbonNote(at, input, frame, place, radius, color, share.afar);
         }

@@ -259,29 +259,69 @@ float3 lockLamps(LockPoint p, float3 world, float under, VertexInput input)
 }
 #endif
 
-float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
+// What is lit of a strand where the axis is at `offset`, and where that is in the world; from afar, of all strands there. pixel: across it.
+struct LockSeen
 {
-    float pixel = ribbonPixel() * length(frame.toEye);
-    float far = lockFar(pixel);
+    LockPoint lit;
+    float3 world;
+    float3 up;
+    float pixel;
+};
+
+LockSeen lockSeen(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
+{
+    LockSeen s;
+    s.pixel = ribbonPixel() * length(frame.toEye);
+    float far = lockFar(s.pixel);
     float height = kLockHeight * coatThickness() * (1.0 - gCoatShort * ribbon.shortness);
     float3 seen = lerp(offset, (kLockMean.y / kLockHeight) * height * looks.strand.normal, far);
-    float3 up = -strandsAxes(gFurDown, input);
+    s.up = -strandsAxes(gFurDown, input);
     LockPoint p;
     p.normal = looks.strand.normal;
     p.tangent = tangent;
     p.toEye = tgSafeNormalize(frame.toEye - offset);
     p.along = lerp(ribbon.along, kLockMean.x, far);
     p.height = saturate(dot(seen, p.normal) / height);
-    p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, up), under, gCoatVariation * (1.0 - far));
+    p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, s.up), under, gCoatVariation * (1.0 - far));
     p.shift = kLockShift * looks.more.y;
-    float open = coatOpen(ribbonWorld(frame, seen, input), pixel);
-    float3 lit = lockLight(p, tgSafeNormalize(ribbonToLight(frame, offset)), 1.0, open, under) + lockSurroundings(p, up);
-    if (under < 0.5)
-        lit += lockRim(p, up);
-    return WITH_LAMPS(lit * gLightColor, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
+    s.lit = p;
+    s.world = ribbonWorld(frame, seen, input);
+    return s;
 }
 
-RibbonVarying lockVarying(VertexInput input, float child, float under)
+#ifdef TEGUMENT_COMPUTE
+float3 fibreColor(LockSeen s, float3 toLight, VertexInput input)
+{
+    FibrePoint p;
+    p.normal = s.lit.normal;
+    p.tangent = s.lit.tangent;
+    p.toEye = s.lit.toEye;
+    p.albedo = s.lit.albedo;
+    FibrePassed passed = fibrePassed(s.world, kLockHeight * s.lit.height, dot(p.normal, toLight), s.pixel);
+    float3 color = fibreLight(p, toLight, gLightColor, passed, fibreStraight(p, toLight, passed));
+    float3 normal = tgWorldNormal(meshVertex(input).normal);
+    color += fibreSurroundings(p, normal, s.lit.height);
+    return WITH_LAMPS(color, fibreLamps(p, s.world, s.lit.height, input));
+}
+#endif
+
+// fibres: by light of fur_fibre_light.fxh, where there is any.
+float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, bool fibres,
+                 VertexInput input)
+{
+    LockSeen s = lockSeen(looks, ribbon, frame, offset, tangent, under, input);
+    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
+#ifdef TEGUMENT_COMPUTE
+    if (fibres)
+        return fibreColor(s, toLight, input);
+#endif
+    float3 lit = lockLight(s.lit, toLight, 1.0, coatOpen(s.world, s.pixel), under) + lockSurroundings(s.lit, s.up);
+    if (under < 0.5)
+        lit += lockRim(s.lit, s.up);
+    return WITH_LAMPS(lit * gLightColor, lockLamps(s.lit, s.world, under, input));
+}
+
+RibbonVarying lockVarying(VertexInput input, float child, float under, bool fibres)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
@@ -294,7 +334,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
         float number = child + kLockOfUnderfur * under;
         LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, number, under);
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
-        float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
+        float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, fibres, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
         output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
         output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
@@ -304,12 +344,12 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
 
 RibbonVarying LocksVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0);
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0, false);
 }
 
 RibbonVarying UnderfurVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0);
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0, false);
 }
 
 // Underfur is drawn once: what is below it hides its edges.
@@ -326,8 +366,9 @@ float4 UnderfurSoftPS(RibbonVarying input) : SV_Target0
     return float4(input.color.rgb, coverage);
 }
 
-// From the light: the strands that throw shadows, as opaque as all of their lock.
-OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
+// From the light: the strands that throw shadows, as opaque as all of their lock. underfur: share of a strand's shadow that each of the
+// underfur throws.
+OpacityVarying lockOpacity(VertexInput input, float child, float underfur)
 {
     OpacityVarying output;
     output.position = float4(2.0, 2.0, 2.0, 1.0);
@@ -338,11 +379,11 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
     float pixel = tgShadowFootprint(mul(float4(frame.world, 1.0), gLightViewProjection).w, tgLightSpread()) / tgMillimetres(1.0);
     // Nor is drawn what a picture as wide as the map would not show.
     float coarser = max(pixel, ribbonPixel() * length(frame.toEye));
-    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), gCoatShadowStrands, gCoatThin, coarser, kShadowFirst);
+    LockShare share = lockShare(input, child, gCoatShadowStrands, gCoatThin, coarser, kShadowFirst);
     [branch] if (ribbonDrawn(input, share.rank, share.share))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
-        LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, TG_LAYER_INDEX(gFurChild), 0.0);
+        LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, child, 0.0);
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 aside = tgSafeNormalize(cross(place.tangent, ribbonToLight(frame, place.offset)));
         float3 world = ribbonWorld(frame, place.offset, input);
@@ -351,10 +392,15 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
         float drawn = (width.x + gFurEdge * pixel) * input.tangent.w;
         float4 lightClip = mul(float4(ribbonWorld(frame, place.offset + drawn * aside, input), 1.0), gLightViewProjection);
         output.position = TG_HALF_PIXEL(lightClip, gViewportSize);
-        output.edge = float3(drawn / pixel, width.x / pixel, width.y * (gCoatChildren + 0.3 * gCoatUnderfur) / gCoatShadowStrands);
+        output.edge = float3(drawn / pixel, width.x / pixel, width.y * (gCoatChildren + underfur * gCoatUnderfur) / gCoatShadowStrands);
         output.place = float4(lightClip.xyw, furFromLight(world));
     }
     return output;
+}
+
+OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
+{
+    return lockOpacity(input, TG_LAYER_INDEX(gFurChild), 0.3);
 }
 
 // The opaque layer below, up to gCoatUndercoat.
@@ -363,14 +409,19 @@ FurVarying UndercoatVS(VertexInput input)
     return furVarying(input, float2(gCoatUndercoat * (1.0 - gCoatShort), 1.0), kFurNear);
 }
 
+float3 undercoatAlbedo(float cosine, float pixel)
+{
+    float belly = gCoatBelly * saturate(1.6 * (cosine - 0.25));
+    float3 albedo = lerp(gCoatRootColor, 0.4 * gCoatBellyColor, belly);
+    return lerp(albedo, lerp(gCoatMidColor, 0.75 * gCoatBellyColor, belly), 0.5 * lockFar(pixel));
+}
+
 float4 UndercoatPS(FurVarying input) : SV_Target0
 {
     float3 normal = tgWorldNormal(input.normal);
     float cosine = dot(normal, gFurDown);
-    float belly = gCoatBelly * saturate(1.6 * (cosine - 0.25));
     float pixel = ribbonPixel() * length(gCameraPosition - input.world);
-    float3 albedo = lerp(gCoatRootColor, 0.4 * gCoatBellyColor, belly);
-    albedo = lerp(albedo, lerp(gCoatMidColor, 0.75 * gCoatBellyColor, belly), 0.5 * lockFar(pixel));
+    float3 albedo = undercoatAlbedo(cosine, pixel);
     float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world, pixel);
     float3 around = lerp(gCoatSky, gCoatGround, 0.5 + 0.5 * cosine);
     return float4(albedo * gLightColor * (0.5 * lit + 0.12 * around), 1.0);

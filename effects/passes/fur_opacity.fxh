@@ -26,10 +26,11 @@ static const float kCoatSkinLeast = 0.02; // and at least so many of the mesh's 
     "RenderColorTarget0=gCoatFrontMap; Clear=Color; Clear=Depth; Pass=CoatFront;" \
     "RenderColorTarget0=gCoatOpacityMap; RenderDepthStencilTarget=; Clear=Color;" \
     TG_LAYER_SCRIPT("gCoatShadowStrands", "gFurChild", "Opacity")
-#define OPACITY_PASSES \
+#define OPACITY_PASSES OPACITY_PASSES_OF(CoatFrontVS, OpacityVS, OpacityPS)
+#define OPACITY_PASSES_OF(frontVS, opacityVS, opacityPS) \
     TG_PART_PASS(CoatSkin, "skin", CoatSkinVS, CoatFrontPS, TG_STATE_TWOSIDED) \
-    TG_PART_PASS(CoatFront, "skin", CoatFrontVS, CoatFrontPS, TG_STATE_TWOSIDED) \
-    TG_SEEN_LAYER_PASS(Opacity, "underfur", OPACITY_SHARE, "gCoatShadowStrands", OpacityVS, OpacityPS, TG_STATE_SUM)
+    TG_PART_PASS(CoatFront, "skin", frontVS, CoatFrontPS, TG_STATE_TWOSIDED) \
+    TG_SEEN_LAYER_PASS(Opacity, "underfur", OPACITY_SHARE, "gCoatShadowStrands", opacityVS, opacityPS, TG_STATE_SUM)
 
 float coatThickness()
 {
@@ -82,31 +83,48 @@ struct OpacityVarying
     float4 place : TEXCOORD1; // lightClip's x, y, w; distance from the light, mm
 };
 
-float4 OpacityPS(OpacityVarying input) : SV_Target0
+// Opacity that this strand adds before each of these depths, thicknesses.
+float4 opacityBefore(OpacityVarying input, float4 layers)
 {
     float2 place = input.place.xy / input.place.z * float2(0.5, -0.5) + 0.5;
     float depth = coatDepth(place, input.place.w);
-    return tgRibbonCoverage(input.edge) * saturate((kCoatLayers - depth) * 16.0 + 0.5);
+    return tgRibbonCoverage(input.edge) * saturate((layers - depth) * 16.0 + 0.5);
 }
 
-// Share of the light that comes to a point of the coat. pixel: of the picture there, in the world; what it cannot show would only flicker.
-float coatOpen(float3 world, float pixel)
+float4 OpacityPS(OpacityVarying input) : SV_Target0
 {
-    float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    float2 place = tgShadowCoordinate(lightClip);
-    float distance = furFromLight(world);
-    float depth = coatDepth(place, distance);
+    return opacityBefore(input, kCoatLayers);
+}
+
+// Of strands, before this depth, thicknesses. pixel: of the picture there, in the world; what it cannot show would only flicker. layers,
+// softest: as kCoatLayers, kCoatSoft.
+float coatOpacity(float2 place, float depth, float pixel, float4 layers, float softest)
+{
     float texel = 2.0 / kTgMapSize * (tgLightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar)) * tgLightSpread(); // amid the mesh, mm
-    float4 sums = tex2Dlod(gCoatOpacity, float4(place, 0.0, log2(max(pixel * (kCoatBlur * tgMillimetres(1.0) / texel), kCoatSoft))));
-    float opacity = tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
-    // Behind the skin: soft, for strands stand on it and lean over its edges. Taps stand one above the other: a mirror leaves them there.
+    float4 sums = tex2Dlod(gCoatOpacity, float4(place, 0.0, log2(max(pixel * (kCoatBlur * tgMillimetres(1.0) / texel), softest))));
+    return tgFurOpacity(sums, layers, depth);
+}
+
+// Share of the light that the skin leaves at this distance from the light: soft, for strands stand on it and lean over its edges. Taps
+// stand one above the other: a mirror leaves them there.
+float coatSkinOpen(float2 place, float distance)
+{
     float2 aside = float2(0.0, 0.7 / kTgMapSize);
     float2 skin = float2(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0)).x,
                          tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0)).x);
     // 0: there is none. Not tgShadowStored: vertex shader model 3 selects by c + (b - c), which loses what a large c stands beside.
     float soft = tgMillimetres(gMeshRadius) * max(kCoatSkinSoft * gFurLength, kCoatSkinLeast);
     float2 behind = saturate((distance - skin) / soft) * step(1e-6, skin);
-    return exp(-gCoatShadow * opacity) * (1.0 - 0.5 * dot(behind, 1.0));
+    return 1.0 - 0.5 * dot(behind, 1.0);
+}
+
+// Share of the light that comes to a point of the coat. pixel: as above.
+float coatOpen(float3 world, float pixel)
+{
+    float2 place = tgShadowCoordinate(mul(float4(world, 1.0), gLightViewProjection));
+    float distance = furFromLight(world);
+    float opacity = coatOpacity(place, coatDepth(place, distance) - kCoatOwn, pixel, kCoatLayers, kCoatSoft);
+    return exp(-gCoatShadow * opacity) * coatSkinOpen(place, distance);
 }
 
 #endif

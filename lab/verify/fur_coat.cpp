@@ -1,5 +1,6 @@
 // Module FurCoat.
 
+#include "generated/setting_names.h"
 #include "lab/verify/fur_exact.h"
 #include "lab/verify/fur_regression.h"
 #include "lab/verify/work.h"
@@ -73,11 +74,13 @@ Result<ModuleReport> verifyFurCoat(const Context& context) {
     ModuleReport report{
         .module = "FurCoat",
         .summary = "Every pixel of techniques Strands and StrandsSoft against rays that meet round strands, cones that bend in space, and "
-                   "skin, several to a pixel, lit and shadowed by rays"};
+                   "skin, several to a pixel, lit and shadowed by rays; technique CoatChance against paths of light through its strands"};
     for (const std::string& name : windowNames(context.options)) {
         const auto found = std::ranges::find_if(kWindows, [&](const Window& window) { return name == window.name; });
         if (const auto judged = judge(report, context, *found); !judged) return judged.error();
     }
+    if (context.options.setting == kSettingCorrected)
+        if (const auto judged = judgeFibres(report, context); !judged) return judged.error();
     return report;
 }
 

@@ -81,6 +81,8 @@ inline constexpr const char* kShadowApart = "within 3 texels of the shadow map f
 
 /// Of the drawn specular layer: what it mirrors of light along the normal, and of light from all sides.
 [[nodiscard]] Result<void> measureAlbedos(ModuleReport& report, const Context& context);
+/// Of technique CoatChance against light on paths through its strands: mean and blocks of each phase, and their pictures.
+[[nodiscard]] Result<void> judgeFibres(ModuleReport& report, const Context& context);
 
 [[nodiscard]] Result<ModuleReport> verifyOriginalTexture(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifySpecular(const Context& context);

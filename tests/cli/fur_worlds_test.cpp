@@ -164,7 +164,7 @@ TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
     const auto written = [](const glm::dvec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z); };
     const std::string parallel = litBy("parallel.json", "\"direction\": " + written(-toLight));
     const std::string point = litBy("point.json", "\"position\": " + written(60 * kRadius * toLight));
-    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute"}) {
+    for (const char* technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute", "CoatChance"}) {
         const std::vector<double> far = blocks(drawn(technique, point));
         const std::vector<double> rays = blocks(drawn(technique, parallel));
         ASSERT_EQ(far.size(), rays.size());
@@ -185,11 +185,70 @@ TEST(FurLight, that_is_parallel_lights_as_a_point_far_away_does) {
 
 TEST(FurLight, that_is_none_leaves_every_technique_black) {
     const std::map<std::string, std::vector<std::string>> all = {
-        {"FurCoat.fx", {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute"}},
+        {"FurCoat.fx", {"Strands", "StrandsSoft", "Coat", "CoatSoft", "StrandsCompute", "CoatCompute", "CoatChance"}},
         {"FurRoots.fx", {"Cellular", "Roots"}},
         {"Fur.fx", {"CubePosition", "CubeNormal", "CubeCombined", "SpherePosition", "SphereNormal", "SphereCombined"}}};
     for (const auto& [effect, techniques] : all)
         for (const std::string& technique : techniques)
             EXPECT_EQ(brightest(effect, technique, {}), 0) << effect << ", " << technique;
     EXPECT_GT(brightest("FurCoat.fx", "CoatSoft", {"--set", "gLightColor=1,1,1"}), 0);
+}
+
+TEST(FurLight, of_fibres_is_the_same_by_each_compiler_and_for_each_sample) {
+    const std::string point = litBy("near.json", R"("position": [300, 400, 700])");
+    const auto fibres = [&](const char* compiler, const char* samples) {
+        return render("chance", {"effects/FurCoat.fx", "-t", "CoatChance", "-w", point, "--size", "128x128", "--compiler", compiler,
+                                 "--samples", samples, "-D", "TEGUMENT_MAP_SIZE=512"})
+            .image;
+    };
+    const auto mean = [](const Image& image) {
+        double sum = 0;
+        for (const float value : image.pixels)
+            sum += static_cast<double>(value) / static_cast<double>(image.pixels.size());
+        return sum;
+    };
+    const Image one = fibres("dxc", "1");
+    const Image other = fibres("glslang", "1");
+    ASSERT_EQ(one.pixels.size(), other.pixels.size());
+    double apart = 0, all = 0;
+    for (std::size_t i = 0; i < one.pixels.size(); ++i) {
+        apart += std::pow(static_cast<double>(one.pixels[i]) - static_cast<double>(other.pixels[i]), 2);
+        all += std::pow(static_cast<double>(one.pixels[i]), 2);
+    }
+    EXPECT_GT(all, 0);
+    EXPECT_LT(std::sqrt(apart / all), 0.02) << "chances are alike to the bit; edges differ by rounding";
+    EXPECT_NEAR(mean(fibres("dxc", "4")) / mean(one), 1, 0.03) << "each sample has its own chance";
+}
+
+TEST(FurLight, of_lamps_reaches_fibres_and_the_layer_below_them) {
+    const std::vector<std::string> lamp = {
+        "--set", "TEGUMENT_LAMPS=1", "--set", "gLampPlace=0,0.3,1,0,0,1,0,0,0,1,0,0", "--set", "gLampColor=1,1,1,0,0,0,0,0,0,0,0,0"};
+    EXPECT_GT(brightest("FurCoat.fx", "CoatChance", lamp), 0.05F);
+    std::vector<std::string> bare = lamp;
+    bare.insert(bare.end(), {"--set", "gFurShare=0"});
+    EXPECT_GT(brightest("FurCoat.fx", "CoatChance", bare), 1e-3F) << "no strand is drawn";
+}
+
+TEST(FurLight, of_fibres_is_the_same_from_all_sides) {
+    // The ball's roots, combed nowhere, and a light that goes with the eye.
+    double least = 1e30, most = 0;
+    constexpr int kViews = 6;
+    for (int view = 0; view < kViews; ++view) {
+        const double turn = 2 * 3.14159265358979 * view / kViews;
+        const auto at = [&](double angle, double away) {
+            return fmt::format("[{:.6f}, 0, {:.6f}]", away * std::sin(angle), away * std::cos(angle));
+        };
+        const std::string workspace = write(
+            "side.json", fmt::format(R"({{"mesh": "{}", "unit_mm": 1, "head": false, "background": [0, 0, 0], "camera": {{"frame": "world",
+ "position": {}, "target": [0, 0, 0], "horizontal_fov": 22}}, "light": {{"frame": "world", "color": [1, 1, 1], "position": {}}},
+ "parameters": {{"gCoatLean": 0, "gCoatWaves": 0, "gCoatBelly": 0}}}})",
+                                     ballMesh(), at(turn, 700), at(turn + 0.6, 6600)));
+        double sum = 0;
+        for (const float value : drawn("CoatChance", workspace).pixels)
+            sum += static_cast<double>(value);
+        least = std::min(least, sum);
+        most = std::max(most, sum);
+    }
+    EXPECT_GT(least, 0);
+    EXPECT_LT(most / least, 1.03) << "brightest and darkest of " << kViews << " directions";
 }

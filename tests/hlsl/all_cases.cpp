@@ -8,7 +8,7 @@ std::vector<FunctionCase> allCases() {
                     peerScreenCases(), peerDiscCases(), peerTableCases(), lockCases(), lockLightCases(), ribbonPassCases(),
                     strandPassCases(), computePassCases(), furShellCases(), furSweepCases(), furLayerCases(), furMotionCases(),
                     lockPassCases(), strandRibbonCases(), furNotedCases(), pyramidPassCases(), pyramidLinkCases(), pyramidFinalCases(),
-                    skinPassCases(), skinMapCases(), lampPassCases(), toneCases());
+                    skinPassCases(), skinMapCases(), lampPassCases(), toneCases(), fibreCases());
 }
 
 } // namespace tegument::test

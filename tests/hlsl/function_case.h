@@ -178,6 +178,7 @@ template <class... Parts>
 [[nodiscard]] std::vector<FunctionCase> furCases();
 [[nodiscard]] std::vector<FunctionCase> furRootsCases();
 [[nodiscard]] std::vector<FunctionCase> furRibbonCases();
+[[nodiscard]] std::vector<FunctionCase> fibreCases();
 [[nodiscard]] std::vector<FunctionCase> lockCases();
 [[nodiscard]] std::vector<FunctionCase> lockLightCases();
 [[nodiscard]] std::vector<FunctionCase> ribbonPassCases();

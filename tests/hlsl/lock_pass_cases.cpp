@@ -59,7 +59,7 @@ FunctionCase lamps() {
 constexpr const char* kColourBody =
     "LockLooks l = (LockLooks)0; l.strand.normal = a0; l.waves = -1.0; l.more = float3(a5.x, 0, 0); l.lock = float3(0, a5.y, 0); "
     "l.random = 0.5; TgRibbon r; r.along = a3.x; r.shortness = a3.y; r.color = 0.25; RibbonFrame f = (RibbonFrame)0; f.toEye = a4; "
-    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, (VertexInput)0); return float4(color, 0);";
+    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, false, (VertexInput)0); return float4(color, 0);";
 
 /// Arguments as they stand in the body.
 struct Coloured {
@@ -172,7 +172,7 @@ std::vector<FunctionCase> vertices() {
                          : LockShare(pixel, 0.7, 4, s.child + rootRank(s.address));
         };
         cases.push_back(lockCase("lockVarying",
-                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") +
+                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") + ", false" +
                                      "); return float4(v.edge, v.color.w, 0);",
                                  strandArguments(under ? 2 : 3),
                                  [=](const Inputs& x) {

@@ -180,6 +180,20 @@ TEST_F(FurOnScan, the_bunny_s_strands_are_where_exact_ones_are) {
     EXPECT_EQ(report.metrics.size(), 6U); // of both techniques
 }
 
+/// Minutes of paths where the cache has none.
+class FullFibres : public FurOnScan {};
+
+TEST_F(FullFibres, of_the_bunny_are_lit_as_paths_of_light_say) {
+    const Mesh mesh = bunny();
+    if (mesh.positions.empty()) GTEST_SKIP() << "no bunny.obj: install Debian's glmark2-data";
+    const VerifyOptions options{.compiler = defaultCompiler(), .mapSize = 512, .pictureSize = 384, .mesh = &mesh};
+    ModuleReport report{.module = "FurCoat"};
+    const auto judged = verify::judgeFibres(report, {*device_, options});
+    ASSERT_TRUE(judged) << format(judged.error());
+    expectPass(report);
+    EXPECT_EQ(report.metrics.size(), 20U); // four of each phase
+}
+
 TEST_F(Verify, a_device_s_corners_are_exact_or_on_a_grid_that_explains_them) {
     const VerifyOptions options{.compiler = defaultCompiler()};
     const auto grid = verify::measureCornerGrid({*device_, options});

@@ -74,7 +74,7 @@ std::optional<SurfaceFigures> figuresOf(const Json& json) {
 
 } // namespace
 
-Result<void> writeSkinLinks(const fs::path& file, const Mesh& mesh, SkinLinks links, const LinkOptions& options) {
+Result<void> writeSkinLinks(const fs::path& file, const Mesh& mesh, SkinLinks& links, const LinkOptions& options) {
     const std::string json = toJson(mesh, links, options).dump(2) + "\n";
     DdsTexture dds{.format = DdsFormat::Rgba16F, .images = {}};
     dds.images.push_back(std::move(links.sheet)); // a third of a gigabyte, where a map is of thousands of charts
@@ -87,7 +87,7 @@ Result<fs::path> cachedSkinLinks(const Mesh& mesh, const Say& say) {
     const auto make = [&](const fs::path& file) -> Result<void> {
         auto links = makeSkinLinks(mesh, options);
         if (!links) return links.error();
-        return writeSkinLinks(file, mesh, std::move(*links), options);
+        return writeSkinLinks(file, mesh, *links, options);
     };
     return cachedDds("skin", "links_" + keyOf(mesh, options), fmt::format("{} for {}", kSkinLinksGenerator, mesh.name), say, make);
 }

@@ -37,7 +37,7 @@ int prepLinks(LinkArguments& arguments) {
     if (!links) return fail(links.error(), arguments.json);
     const int width = links->sheet.width;
     const int height = links->sheet.height;
-    if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, std::move(*links), arguments.links); !written)
+    if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, *links, arguments.links); !written)
         return fail(written.error(), arguments.json);
     if (arguments.json) {
         print({{"files", {arguments.output, beside.string()}}, {"links", links->links}, {"lists", links->lists}});

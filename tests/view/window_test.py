@@ -64,7 +64,8 @@ class Window(unittest.TestCase):
             self.view.screen.drag((160, 160), (240, 130), button=button, held=held)
             turned.append(self.keep(self.view.still(unlike=self.start), name.replace(" ", "_")))
             self.assertEqual(self.view.start_again(), self.start)
-        self.assertEqual(turned[0], turned[1], "both turn the camera")
+        # Steps of the mouse are summed as frames come: a slow machine rounds the sum otherwise.
+        self.assertLess(turned[0].share_apart(turned[1]), 1e-3, "both turn the camera")
         for name, button, held in (("nearer as in Blender", 2, ("Control_L",)), ("nearer as in Maya", 3, ("Alt_L",))):
             self.view.screen.drag((160, 200), (160, 100), button=button, held=held)
             near = self.keep(self.view.still(unlike=self.start), name.replace(" ", "_"))

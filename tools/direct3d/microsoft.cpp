@@ -114,15 +114,15 @@ public:
         return driverProcess(folder, std::move(arguments));
     }
 
-    /// One process after the other until every job is claimed; a process that ends early takes one job with it. One that ends before its
-    /// first job is started again: Wine's server, ending after the last program, can take a new one with it.
+    /// One process after the other until every job is claimed; a process that ends early takes one job with it. One that ends, or is
+    /// silent, before its first job is started again: Wine's server, ending after the last program, can take a new one with it.
     Result<void> work(const ProcessCommand& command) {
         for (int left = kStarts;;) {
             auto process = BackgroundProcess::start(command);
             if (!process) return process.error();
             const Ended ended = follow(*process);
             if (ended.regular) return {};
-            if (!ended.at && !ended.timedOut && --left > 0) continue;
+            if (!ended.at && (left -= ended.timedOut ? 2 : 1) > 0) continue;
             if (!ended.at || results_[*ended.at]) return notStarted(ended); // each job is claimed once: Wine says what it should not
             results_[*ended.at] = failedJob(jobs_[*ended.at], 3103, broughtDown(jobs_[*ended.at], ended.timedOut));
         }

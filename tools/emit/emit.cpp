@@ -51,8 +51,9 @@ void addFile(Products& products, LinkedShader& shader, Target kind, std::string 
     products.files[file] = std::move(bytes);
 }
 
-Result<void> addTranslation(Products& products, LinkedShader& shader, Target kind) {
+Result<void> addTranslation(Products& products, LinkedShader& shader, Target kind, const Effect& effect) {
     auto translated = crossCompile(*shader.spirv(), kind, shader.written);
+    if (!translated && isGlsl(kind) && belongsToCompute(effect, shader.entry->name)) return {};
     if (!translated) return translated.error();
     if (kind != Target::Msl)
         if (const std::string why = checkGlsl(shader.spirv()->stage, translated->text); !why.empty())
@@ -64,9 +65,9 @@ Result<void> addTranslation(Products& products, LinkedShader& shader, Target kin
     return {};
 }
 
-Result<void> addShader(Products& products, LinkedShader& shader, Target kind) {
+Result<void> addShader(Products& products, LinkedShader& shader, Target kind, const Effect& effect) {
     if (isGlsl(kind) && shader.entry->stage == ShaderStage::Compute) return {}; // its technique is not for that language
-    if (!rowOf(kind).language.empty()) return shader.spirv() == nullptr ? Result<void>() : addTranslation(products, shader, kind);
+    if (!rowOf(kind).language.empty()) return shader.spirv() == nullptr ? Result<void>() : addTranslation(products, shader, kind, effect);
     if (const std::string_view bytes = emit::formOf(shader, kind).bytes; !bytes.empty())
         addFile(products, shader, kind, std::string(bytes));
     return {};
@@ -79,6 +80,7 @@ Result<void> checkPrograms(const Products& products, Target kind) {
             if (pass.vertex < 0 || pass.pixel < 0) continue;
             const LinkedShader& vertex = products.shaders[static_cast<std::size_t>(pass.vertex)];
             const LinkedShader& pixel = products.shaders[static_cast<std::size_t>(pass.pixel)];
+            if (!vertex.translated.contains(kind) || !pixel.translated.contains(kind)) continue; // its technique is not for that language
             const std::string why = checkGlslProgram(vertex.translated.at(kind).text, pixel.translated.at(kind).text);
             if (!why.empty())
                 return machineError(3303,
@@ -100,7 +102,7 @@ Result<void> addKind(Products& products, const FileReport& report, Target kind) 
         return {};
     }
     for (LinkedShader& shader : products.shaders)
-        if (auto added = addShader(products, shader, kind); !added) return added;
+        if (auto added = addShader(products, shader, kind, report.effect); !added) return added;
     return isGlsl(kind) ? checkPrograms(products, kind) : Result<void>();
 }
 
@@ -130,6 +132,14 @@ Result<void> replace(const fs::path& folder, const fs::path& with) {
 }
 
 } // namespace
+
+bool belongsToCompute(const Effect& effect, std::string_view entry) {
+    const auto isIt = [&](const std::optional<ShaderReference>& shader) { return shader && shader->entry == entry; };
+    return std::ranges::none_of(effect.techniques, [&](const Technique& technique) {
+        return !computes(technique) &&
+               std::ranges::any_of(technique.passes, [&](const Pass& pass) { return isIt(pass.vertexShader) || isIt(pass.pixelShader); });
+    });
+}
 
 Target sourceOf(Target target) {
     if (rowOf(target).language.empty()) return target;

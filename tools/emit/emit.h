@@ -17,6 +17,9 @@ struct EmitOptions {
     std::vector<std::pair<std::string, std::string>> defines; // of the variant, for the manifest
 };
 
+/// Whether techniques with compute shaders alone have this one: what GLSL 330 cannot say of it is no loss there.
+[[nodiscard]] bool belongsToCompute(const Effect& effect, std::string_view entry);
+
 /// Writes `<folder>/[<variant>/]<effect>/` with manifest.json (docs/emit.md), whole or not at all: into a folder beside it, then by
 /// renaming. What was there before is replaced if it is such a folder (TG3304 if not). An effect that failed is not written (TG3301); a
 /// kind whose target was not checked is left out, and the manifest says why. TG3302, TG3303: a translation is not possible, or not valid.

@@ -53,13 +53,15 @@ void addFile(Products& products, LinkedShader& shader, Target kind, std::string 
 
 Result<void> addTranslation(Products& products, LinkedShader& shader, Target kind, const Effect& effect) {
     auto translated = crossCompile(*shader.spirv(), kind, shader.written);
-    if (!translated && isGlsl(kind) && belongsToCompute(effect, shader.entry->name)) return {};
-    if (!translated) return translated.error();
+    const bool needed = !isGlsl(kind) || !belongsToCompute(effect, shader.entry->name);
+    if (!translated) return needed ? Result<void>(translated.error()) : Result<void>();
     if (kind != Target::Msl)
         if (const std::string why = checkGlsl(shader.spirv()->stage, translated->text); !why.empty())
-            return machineError(3303,
-                                fmt::format("{}: the {} of {} is not valid: {}", shader.spirv()->file, targetName(kind), shader.name, why),
-                                "this is a fault of SPIRV-Cross or ours: leave this language out with --emit-kind, and report it");
+            return !needed ? Result<void>()
+                           : machineError(
+                                 3303,
+                                 fmt::format("{}: the {} of {} is not valid: {}", shader.spirv()->file, targetName(kind), shader.name, why),
+                                 "this is a fault of SPIRV-Cross or ours: leave this language out with --emit-kind, and report it");
     addFile(products, shader, kind, translated->text);
     shader.translated.emplace(kind, std::move(*translated));
     return {};

@@ -27,10 +27,5 @@ float4 profileGaussian(int gaussian)
     return given;
 }
 
-float profileVariance(int gaussian)
-{
-    return toneGiven() ? kTgToneVariance[gaussian] : gGaussianWeight[gaussian].w;
-}
-
 #endif
 // SPDX-License-Identifier: MIT

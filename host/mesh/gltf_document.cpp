@@ -186,6 +186,7 @@ std::optional<Error> GltfDocument::readGlb() {
         if (size > bytes.size() - start)
             return overclaimed(source_->atByte(offset), fmt::format("a chunk announces {} bytes, {} are left", size, bytes.size() - start));
         if (type == kJsonChunk && text.empty()) {
+            if (size == 0) break;
             text = bytes.substr(start, size);
             textOffset = start;
         } else if (type == kBinaryChunk && !hasGlbBuffer_) {

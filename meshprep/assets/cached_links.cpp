@@ -87,6 +87,8 @@ Result<fs::path> cachedSkinLinks(const Mesh& mesh, const Say& say) {
     const auto make = [&](const fs::path& file) -> Result<void> {
         auto links = makeSkinLinks(mesh, options);
         if (!links) return links.error();
+        for (const Diagnostic& warning : links->warnings)
+            say(format(warning));
         return writeSkinLinks(file, mesh, *links, options);
     };
     return cachedDds("skin", "links_" + keyOf(mesh, options), fmt::format("{} for {}", kSkinLinksGenerator, mesh.name), say, make);

@@ -25,8 +25,12 @@ constexpr double kFelt = 0.3;
 constexpr double kMostSide = 1.5;
 constexpr double kMostFelt = 3;
 
+/// So many widths away a Gaussian counts as 0: 1.5e-8 of its peak, and of all of it.
+constexpr float kEnd = 6;
+
 /// Of a squared distance, 1/mm^2.
 float bell(float squared, float variance) {
+    if (squared > kEnd * kEnd * variance) return 0;
     return std::exp(-0.5F * squared / variance) / (2 * std::numbers::pi_v<float> * variance);
 }
 

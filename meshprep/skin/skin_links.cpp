@@ -5,6 +5,8 @@
 #include "meshprep/skin/link_receiver.h"
 #include "meshprep/skin/wide_texels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -218,12 +220,18 @@ void LinkFit::gather(const LinkCells& cells, std::span<const LinkSource> sources
 // Nodes are the same, or one within the other, or apart.
 void LinkFit::findOverlaps(const LinkCells& cells) {
     overlap_.assign(count_ * count_, 0.0F);
+    std::array<std::size_t, kLinkLevels + 1> begins{}; // of the nodes of each level: keys ascend by levels
+    for (const LinkSource& node : nodes_)
+        ++begins[static_cast<std::size_t>(node.level) + 1];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         LinkSource outer = nodes_[i];
         for (; outer.level < kLinkLevels; outer = {.level = outer.level + 1, .x = outer.x / 2, .y = outer.y / 2}) {
-            const auto found = std::ranges::lower_bound(keys_, keyOf(outer));
-            if (found == keys_.end() || *found != keyOf(outer)) continue;
-            const auto other = static_cast<std::size_t>(found - keys_.begin());
+            const std::size_t begin = begins[static_cast<std::size_t>(outer.level)];
+            const auto all = std::span(keys_).subspan(begin, begins[static_cast<std::size_t>(outer.level) + 1] - begin);
+            const auto found = std::ranges::lower_bound(all, keyOf(outer));
+            if (found == all.end() || *found != keyOf(outer)) continue;
+            const std::size_t other = begin + static_cast<std::size_t>(found - all.begin());
             const float scale = 1 / cells.at(outer.level, outer.x, outer.y).area;
             for (std::size_t a = i > 0 ? ends_[i - 1] : 0; a < ends_[i]; ++a)
                 for (std::size_t b = other > 0 ? ends_[other - 1] : 0; b < ends_[other]; ++b) {
@@ -417,12 +425,13 @@ private:
     void add(const LinkReceiver& receiver, int level, int x, int y, std::array<double, 2>& sum) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
-        if (level > 0 && cell.radius * std::numbers::sqrt2_v < float >> fine_) {
+        const bool reaches = glm::length(cell.place - receiver.middle.place) - cell.radius < receiver.reach;
+        if (reaches && level > 0 && cell.radius * std::numbers::sqrt2_v < float >> fine_) {
             for (int i = 0; i < 4; ++i)
                 add(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, sum);
             return;
         }
-        for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t i = 0; reaches && i < 2; ++i)
             sum[i] += cell.area * receiver.sentBy(cell.place, i);
         if (!brings_) return;
         Missed missed;
@@ -651,6 +660,16 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
     const Lists lists = gatherAll(mesh, cells, gatherer, options, most);
     const Lists quarters = gatherQuarters(mesh, cells, gatherer, options, wide, most);
     links.seconds.links = watch.lap();
+    if (wide.from() > kWideFrom)
+        links.warnings.push_back(
+            {.severity = Severity::Warning,
+             .code = 7045,
+             .at = {.file = mesh.name, .byte = {}},
+             .text =
+                 fmt::format("the texture is of so many scattered charts that texels of {:.2g} to {:.2g} mm bring less exact light through "
+                             "thin skin",
+                             kWideFrom, wide.from()),
+             .hint = "tegument prep MESH --unwrap -o NEW.glb makes fewer, larger charts"});
     links.fourth = gatherer.bringsFourth();
     links.sideMm = static_cast<double>(cells.usualSide(kDestinationLevel));
     draw(lists, quarters, wide, links);

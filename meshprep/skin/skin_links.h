@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace tegument {
 
@@ -37,6 +38,7 @@ struct SkinLinks {
     std::size_t quarters = 0; // lists of quarters of texels that are too wide for the fifth Gaussian, within `lists`
     bool fourth = false;      // the fourth Gaussian comes along: texels that receive are no larger than it is wide
     double sideMm = 0;        // of a usual texel that receives light
+    std::vector<Diagnostic> warnings;
     struct Seconds {
         double cells = 0;
         double links = 0;
@@ -44,7 +46,8 @@ struct SkinLinks {
     } seconds;
 };
 
-/// The mesh needs texture coordinates: TG7044 where it has none, or none in the unit square.
+/// The mesh needs texture coordinates: TG7044 where it has none, or none in the unit square. Warns (TG7045) where charts are so many and so
+/// scattered that texels too wide for thin skin have one list each.
 [[nodiscard]] Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options = {});
 
 } // namespace tegument

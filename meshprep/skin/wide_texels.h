@@ -3,6 +3,7 @@
 
 #include "meshprep/skin/link_cells.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,10 +15,16 @@ namespace tegument {
 /// gained.
 inline constexpr float kWideFrom = 2.4F;
 inline constexpr float kWideTo = 8;
+/// A map most of whose texels lie at borders of charts has quarters for at most so many texels: four lists for each would take five times
+/// as long as a map of one chart. Its narrowest wide texels then go without.
+inline constexpr std::size_t kMostScatteredBlocks = 12'288;
 
 class WideTexels {
 public:
     WideTexels(const Mesh& mesh, const LinkCells& cells);
+
+    /// Side from which texels count as wide, mm: kWideFrom, or more where a map of scattered charts has too many of them.
+    [[nodiscard]] float from() const { return from_; }
 
     [[nodiscard]] bool isWide(const glm::ivec2& texel) const;
     /// Texels whose quarters have lists: the wide ones, and those around them, whose spline would read the wide ones.
@@ -32,6 +39,9 @@ public:
     [[nodiscard]] int rows() const { return 2 * static_cast<int>((blocks_.size() + kAlong - 1) / kAlong); }
 
 private:
+    void find(const std::vector<float>& sides);
+
+    float from_ = kWideFrom;
     std::vector<std::uint8_t> wide_;
     std::vector<glm::ivec2> blocks_;
 };

@@ -312,7 +312,7 @@ TEST_F(Gltf, one_primitive_drawn_by_many_nodes_cannot_exhaust_memory) {
 }
 
 TEST_F(Gltf, meshes_to_which_no_node_refers_are_read_with_a_warning) {
-    for (const char* nodes : {"[]", R"([{"name":"empty"}])"}) {
+    for (const char* nodes : {"[]", R"([{"name":"empty"}])", R"([{"children":[1]},{"translation":[1,2,3]}])"}) {
         Parts parts;
         parts.nodes = nodes;
         const auto mesh = load("a.glb", triangle(parts), kMillimetres);
@@ -324,33 +324,49 @@ TEST_F(Gltf, meshes_to_which_no_node_refers_are_read_with_a_warning) {
 }
 
 TEST_F(Gltf, the_greatest_index_begins_a_strip_anew) {
-    std::string binary;
-    append(binary, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0});
-    append(binary, std::vector<std::uint8_t>{0, 1, 2, 3, 255, 4, 5, 6});
-    const auto file = [&](int mode) {
+    constexpr int kTriangles = 4, kStrip = 5, kFan = 6;
+    const auto file = [&](int mode, int type) { // of the greatest index: bytes, 16 bits, 32 bits
+        std::string binary;
+        append(binary, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0});
+        const std::vector<std::uint32_t> indices = {0, 1, 2, 3, UINT32_MAX, 4, 5, 6};
+        if (type == 5121) append(binary, std::vector<std::uint8_t>(indices.begin(), indices.end()));
+        if (type == 5123) append(binary, std::vector<std::uint16_t>(indices.begin(), indices.end()));
+        if (type == 5125) append(binary, indices);
+        const std::string size = std::to_string(binary.size() - 84);
         return glb(
             R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_mesh_primitive_restart"],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
             R"({"attributes":{"POSITION":0},"indices":1,"mode":)" +
                 std::to_string(mode) +
-                R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":7,"type":"VEC3"},)"
-                R"({"bufferView":1,"componentType":5121,"count":8,"type":"SCALAR"}],)"
-                R"("bufferViews":[{"buffer":0,"byteLength":84},{"buffer":0,"byteOffset":84,"byteLength":8}],"buffers":[{"byteLength":92}]})",
+                R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":7,"type":"VEC3"},{"bufferView":1,"componentType":)" +
+                std::to_string(type) +
+                R"(,"count":8,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":84},{"buffer":0,"byteOffset":84,"byteLength":)" +
+                size + R"(}],"buffers":[{"byteLength":)" + std::to_string(binary.size()) + "}]}",
             binary);
     };
-    for (const int mode : {5, 6}) {
-        const auto mesh = load("a.glb", file(mode), kMillimetres);
-        ASSERT_TRUE(mesh) << mode << format(mesh.error());
-        EXPECT_EQ(mesh->indices.size(), 9U) << "two triangles, and one";
+    for (const int type : {5121, 5123, 5125}) {
+        for (const int mode : {kStrip, kFan}) {
+            const auto mesh = load("a.glb", file(mode, type), kMillimetres);
+            ASSERT_TRUE(mesh) << mode << " " << type << format(mesh.error());
+            EXPECT_EQ(mesh->indices.size(), 9U) << "two triangles, and one";
+        }
+        EXPECT_EQ(codeOf(load("a.glb", file(kTriangles, type), kMillimetres)), 5304) << "triangles need no beginning";
     }
-    EXPECT_EQ(codeOf(load("a.glb", file(4), kMillimetres)), 5304) << "triangles need no beginning";
 }
 
 TEST_F(Gltf, a_header_of_no_length_is_named) {
-    std::string bytes = triangle();
-    std::memset(bytes.data() + 8, 0, 4);
-    const auto whole = load("a.glb", bytes);
-    ASSERT_EQ(codeOf(whole), 5302);
-    EXPECT_NE(format(whole.error()).find("announces 0 bytes"), std::string::npos) << format(whole.error());
+    const auto expect = [&](const std::string& bytes, const char* what) {
+        const auto whole = load("a.glb", bytes);
+        ASSERT_EQ(codeOf(whole), 5302) << what;
+        EXPECT_NE(format(whole.error()).find(what), std::string::npos) << format(whole.error());
+    };
+    const auto with = [](std::size_t at, int byte) {
+        std::string bytes = triangle();
+        std::memset(bytes.data() + at, byte, 4);
+        return bytes;
+    };
+    expect(with(8, 0), "announces 0 bytes");
+    expect(with(12, 0), "JSON chunk, or one of length 0");
+    expect(with(16, 'X'), "no JSON chunk"); // a chunk of another name
 }
 
 TEST_F(Gltf, coordinates_are_those_that_the_colour_map_is_read_with) {

@@ -117,8 +117,10 @@ TEST_F(Off, colours_of_vertices_are_kept_where_they_are_named_and_told_where_not
 }
 
 TEST_F(Off, binary_files_are_named_as_such) {
-    const auto mesh = load("a.off", std::string("OFF BINARY\n\0\0\0\3", 15));
-    ASSERT_EQ(codeOf(mesh), 5307);
+    for (const std::string word : {"OFF BINARY", "COFF BINARY", "STOFF  BINARY"}) {
+        const auto mesh = load("a.off", word + std::string("\n\0\0\0\3", 5));
+        ASSERT_EQ(codeOf(mesh), 5307) << word;
+    }
 }
 
 TEST_F(Stl, text_and_binary_give_the_same_triangles) {
@@ -205,13 +207,20 @@ TEST_F(Stl, a_binary_file_without_a_count_is_read_to_its_end_with_a_warning) {
 }
 
 TEST_F(Stl, ends_in_two_words_are_read) {
-    std::string spaced = text(3, "end solid thing\n");
-    for (std::size_t at = spaced.find("endloop"); at != std::string::npos; at = spaced.find("endloop"))
-        spaced.replace(at, 7, "end loop");
-    const auto mesh = load("a.stl", spaced);
-    ASSERT_TRUE(mesh) << format(mesh.error());
-    EXPECT_EQ(mesh->indices.size(), 9U);
-    EXPECT_FALSE(hasWarning(*mesh, 5323));
+    const auto with = [](std::string bytes, std::string_view word, std::string_view words) {
+        for (std::size_t at = bytes.find(word); at != std::string::npos; at = bytes.find(word, at + words.size()))
+            bytes.replace(at, word.size(), words);
+        return bytes;
+    };
+    const std::string plain = text(3);
+    for (const std::string& spaced :
+         {with(plain, "endloop", "end loop"), with(plain, "endfacet", "End\tFacet"), with(plain, "endsolid", "END SOLID"),
+          with(with(with(plain, "endloop", " end  loop"), "endfacet", "end facet"), "endsolid thing", "end solid")}) {
+        const auto mesh = load("a.stl", spaced);
+        ASSERT_TRUE(mesh) << spaced << format(mesh.error());
+        EXPECT_EQ(mesh->indices.size(), 9U) << spaced;
+        EXPECT_FALSE(hasWarning(*mesh, 5323)) << spaced;
+    }
     EXPECT_EQ(codeOf(load("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nend facet\n")), 5302);
 }
 

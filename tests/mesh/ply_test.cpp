@@ -260,10 +260,15 @@ TEST_F(Ply, names_and_types_that_only_some_programs_use_are_understood) {
 }
 
 TEST_F(Ply, a_row_with_more_values_than_declared_is_named) {
-    const auto mesh = load("a.ply", header("ascii") + "0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n3 0 2 3\n");
-    ASSERT_EQ(codeOf(mesh), 5302);
-    EXPECT_NE(format(mesh.error()).find("'vertex'"), std::string::npos) << format(mesh.error());
-    EXPECT_NE(format(mesh.error()).find("255 0 0"), std::string::npos) << format(mesh.error());
+    for (const std::string more : {"255 0 0", "0 0 1 128", "0.5"}) { // colours, a normal and a quality, a weight
+        std::string rows;
+        for (const char* place : {"0 0 0 ", "1 0 0 ", "1 1 0 ", "0 1 0 "})
+            rows += place + more + "\n";
+        const auto mesh = load("a.ply", header("ascii") + rows + "3 0 1 2\n3 0 2 3\n");
+        ASSERT_EQ(codeOf(mesh), 5302) << more;
+        EXPECT_NE(format(mesh.error()).find("'vertex'"), std::string::npos) << format(mesh.error());
+        EXPECT_NE(format(mesh.error()).find(more), std::string::npos) << format(mesh.error());
+    }
 }
 
 TEST_F(Ply, no_numbers_of_old_windows_programs_are_understood) {

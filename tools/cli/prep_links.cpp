@@ -35,6 +35,7 @@ int prepLinks(LinkArguments& arguments) {
     auto links = makeSkinLinks(*mesh, arguments.links);
     progress.clear();
     if (!links) return fail(links.error(), arguments.json);
+    warn(links->warnings);
     const int width = links->sheet.width;
     const int height = links->sheet.height;
     if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, *links, arguments.links); !written)

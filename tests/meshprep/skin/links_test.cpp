@@ -3,6 +3,7 @@
 #include "host/mesh/triangles.h"
 #include "meshprep/skin/link_cells.h"
 #include "meshprep/skin/skin_links.h"
+#include "meshprep/skin/wide_texels.h"
 
 #include <gtest/gtest.h>
 
@@ -237,6 +238,20 @@ TEST(SkinLinks, MapsOfThousandsOfChartsTakeNoMoreMemoryAndBringTheirLight) {
         EXPECT_NEAR(sum / static_cast<double>(probes), side > 30 ? 0.97 : 0.87, 0.08)
             << along << " charts along a side of " << side << " mm";
     }
+}
+
+TEST(SkinLinks, ScatteredChartsOfWideTexelsAskForNoMoreListsThanTheyMay) {
+    const auto links = makeSkinLinks(shreddedPlane(32, 700)); // texels of 2.7 mm, two thirds of them at borders
+    ASSERT_TRUE(links) << format(links.error());
+    ASSERT_EQ(links->warnings.size(), 1U);
+    EXPECT_EQ(links->warnings.front().code, 7045) << "TG7045";
+    EXPECT_LE(links->quarters, 4 * kMostScatteredBlocks);
+    Mesh plane; // as wide, and one chart
+    addSheet(plane, 350, 0, {0.25, 0.25}, 0.5);
+    const auto whole = makeSkinLinks(plane);
+    ASSERT_TRUE(whole) << format(whole.error());
+    EXPECT_TRUE(whole->warnings.empty());
+    EXPECT_GT(whole->quarters, 4 * kMostScatteredBlocks);
 }
 
 TEST(SkinLinks, MeshesWithoutTextureCoordinatesAreRefused) {

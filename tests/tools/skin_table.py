@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""Tables of skin over views: `skin_table.py FOLDER|views.tar [--write]` reads what `tegument bench --json` wrote, VIEW-*.json, and prints the
-time and error of every setting, names where a peer is both faster and more accurate, and fits growth from growth-texels.json,
-growth-pixels-*.json and growth-links-*.json where they are. With --write the page gets it, and speed-error.md a line that leads there."""
+"""Tables of skin over views: `skin_table.py FOLDER|views.tar [--write]` reads what `tegument bench --json` wrote, VIEW-*.json, and prints what
+leads in each view, where a peer is both faster and more accurate, and growth fitted from growth-texels.json, growth-pixels-*.json and
+growth-links-*.json where they are. With --write views.md gets it, views.csv the time and error of every setting, and speed-error.md a line
+that leads there."""
 
 import argparse
+import csv
+import io
 import json
 import math
 import pathlib
@@ -14,6 +17,8 @@ import tempfile
 
 DESIGN = pathlib.Path(__file__).resolve().parents[2] / "docs/design"
 PAGE = DESIGN / "tables/views.md"
+SETTINGS = DESIGN / "tables/views.csv"
+COMMAND = "tegument bench --scene effects/workspaces/VIEW.json --map-size 512 1024 2048 --shadow-size 2048 --setting paper corrected"
 MARK = "<!-- views -->"
 OURS = ("Pyramid", "PyramidLinked", "PyramidCompute")
 VIEWS = ("human", "human_side", "human_closeup", "human_half", "human_backlit",
@@ -84,11 +89,18 @@ def table(header, rows):
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
 
-def view_table(rows):
-    return table(("technique", "setting", "maps", "shadow map", "ms (gross)", "rel L2", "bias", "MiB of targets"),
-                 [(row["technique"], row["setting"], str(row["map_size"]), str(row["shadow_size"]),
-                   f"{milliseconds(row):.2f} ({row['ms_gross']['median']:.2f})", f"{error(row):.4f}", f"{row['error']['bias']:+.4f}",
-                   f"{row['target_bytes'] / 2**20:.0f}") for row in rows])
+def settings_csv(views):
+    """Every setting of every view, one a row."""
+    text = io.StringIO()
+    lines = csv.writer(text, lineterminator="\n")
+    lines.writerow(("view", "skin, % of the picture", "technique", "setting", "maps", "shadow map", "ms", "ms, gross", "rel L2", "bias", "MiB of targets",
+                    "command", "device", "driver", "commit", "date"))
+    for view, rows in views.items():
+        for row in rows:
+            lines.writerow((view, f"{100 * row['coverage']:.0f}", row["technique"], row["setting"], row["map_size"], row["shadow_size"],
+                            f"{milliseconds(row):.2f}", f"{row['ms_gross']['median']:.2f}", f"{error(row):.4f}", f"{row['error']['bias']:+.4f}",
+                            f"{row['target_bytes'] / 2**20:.0f}", COMMAND, row["device"], row["driver"].replace("NVIDIA ", ""), "", row["date"]))
+    return text.getvalue()
 
 
 def best(rows):
@@ -194,7 +206,7 @@ def page(folder):
 
 What [speed-error.md](../speed-error.md) says of views. {first['device']}, driver {first['driver'].replace('NVIDIA ', '')}, {first['compiler']},
 {first['date']}; {width} x {height}; 1,024 pixels of reference, from behind means of 4 x 4 samples in 512. Milliseconds are net of clears, gross in brackets;
-*maps/shadow* in texels. Columns: [bench.md](../../bench.md). Written by `python3 tests/tools/skin_table.py RESULTS --write`.
+*maps/shadow* in texels. Every setting: [views.csv](views.csv); columns: [bench.md](../../bench.md). Written by `python3 tests/tools/skin_table.py RESULTS --write`.
 
     tegument bench --scene effects/workspaces/human.json --map-size 512 1024 2048 --shadow-size 2048 --setting paper corrected --json RESULTS/human-all.json
 
@@ -208,8 +220,6 @@ What [speed-error.md](../speed-error.md) says of views. {first['device']}, drive
         text += ["\n## Growth\n\nThe default head, shadow map 1024; pixels and links at maps of 1024. Exponents: of a power law through all sizes.\n\n", grows]
     if held:
         text += ["\nBeside targets: links 33.6 MB a mesh, the maps of Atlas 48 bytes a texel of the base, made once.\n\n", held]
-    for view, rows in views.items():
-        text += [f"\n## {view}\n\n{100 * rows[0]['coverage']:.0f} % of the picture is skin.\n\n", view_table(rows)]
     return "".join(text), views
 
 
@@ -224,6 +234,7 @@ def sentence(views):
 
 def write(text, views):
     PAGE.write_text(text)
+    SETTINGS.write_text(settings_csv(views))
     lead = DESIGN / "speed-error.md"
     told = re.sub(re.escape(MARK) + r"\n.*?" + re.escape(MARK) + r"\n", lambda _: f"{MARK}\n{sentence(views)}{MARK}\n", lead.read_text(), flags=re.S)
     lead.write_text(told)
@@ -232,7 +243,7 @@ def write(text, views):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=pathlib.Path)
-    parser.add_argument("--write", action="store_true", help=f"into {PAGE.name}")
+    parser.add_argument("--write", action="store_true", help=f"into {PAGE.name} and {SETTINGS.name}")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = given.results

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Tests of skin_table.py on made-up measurements. usage: skin_table_test.py"""
 
+import csv
+import io
 import json
 import pathlib
 import tempfile
@@ -46,6 +48,12 @@ class SkinTable(unittest.TestCase):
         self.put("lps_head-maps", [row("Pyramid", 2.0, 0.010)])
         self.put("lps_head-peers", [row("Pyramid", 2.1, 0.010), row("Lambert", 1.0, 0.030)])
         self.assertEqual(len(skin_table.read(self.folder)["lps_head"]), 2)
+
+    def test_every_setting_is_a_row_of_the_csv(self):
+        self.put("human-maps", [row("Pyramid", 2.0, 0.010), row("PyramidLinked, few levels", 3.0, 0.008)])
+        lines = list(csv.DictReader(io.StringIO(skin_table.settings_csv(skin_table.read(self.folder)))))
+        self.assertEqual([(line["view"], line["technique"], line["ms"], line["rel L2"], line["date"]) for line in lines],
+                         [("human", "Pyramid", "2.00", "0.0100", "2026-01-01"), ("human", "PyramidLinked, few levels", "3.00", "0.0080", "2026-01-01")])
 
     def test_time_that_grows_with_the_square_root_has_the_exponent_one_half(self):
         self.assertAlmostEqual(skin_table.exponent([(4, 2.0), (16, 4.0), (64, 8.0)]), 0.5)

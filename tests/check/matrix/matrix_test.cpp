@@ -103,7 +103,8 @@ TEST_P(Matrix, the_table_of_resources_tells_what_the_passes_take) {
         const auto line = std::ranges::find_if(lines, [&](const std::string& l) { return l.starts_with(start); });
         ASSERT_NE(line, lines.end())
             << row.effect << ": no row " << start
-            << "\ntegument check effects/*.fx --all-settings --target fx_2_0 --resources | tests/tools/resource_table.py";
+            << "\ntegument check effects/*.fx --all-settings --target fx_2_0 --resources | tests/tools/csv_table.py "
+               "docs/design/tables/resources.csv --heading effect";
         const std::vector<int> numbers = numbersOf(*line);
         ASSERT_FALSE(numbers.empty()) << *line;
         int most = 0;

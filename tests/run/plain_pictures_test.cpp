@@ -1,5 +1,6 @@
 // What stands in for textures whose files are not there.
-// The passes of Main.fx read what Tables 5 and 6 of the source give them, and nothing else. Names are those of docs/design/passes.md.
+// The passes of Main.fx read what Tables 5 and 6 of the source give them, and nothing else. Names are those of
+// docs/design/tables/main-passes.csv.
 
 #include "host/run/procedures.h"
 #include "host/run/program.h"
@@ -259,7 +260,7 @@ TEST(GosselinInputs, setting_seed_reads_what_table_5_names_and_no_more) {
 std::vector<std::string> cellsOf(const std::string& line) {
     std::vector<std::string> cells;
     std::istringstream row(line);
-    for (std::string cell; std::getline(row, cell, '|');)
+    for (std::string cell; std::getline(row, cell, ',');)
         cells.push_back(cell);
     return cells;
 }
@@ -272,18 +273,13 @@ Names namesOf(const std::string& cell) {
     return names;
 }
 
-/// Cells 2, 4 and 5 of the rows `| n | pass | draws | parameters | textures | writes |` below the heading `## technique`.
+/// The rows `technique,number,pass,draws,parameters,textures,writes` of one technique.
 std::map<std::string, ExpectedPass> documentedPasses(const std::string& technique) {
     std::map<std::string, ExpectedPass> rows;
-    std::istringstream lines(*readFile("docs/design/passes.md"));
-    bool here = false;
+    std::istringstream lines(*readFile("docs/design/tables/main-passes.csv"));
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("## ")) here = line == "## " + technique;
         const std::vector<std::string> cells = cellsOf(line);
-        if (!here || cells.size() < 7) continue;
-        ExpectedPass pass{{}, namesOf(cells[4]), namesOf(cells[5])};
-        std::istringstream(cells[2]) >> pass.name;
-        rows[pass.name] = pass;
+        if (cells.size() == 7 && cells[0] == technique) rows[cells[2]] = {cells[2], namesOf(cells[4]), namesOf(cells[5])};
     }
     return rows;
 }

@@ -297,7 +297,7 @@ constexpr std::array<std::array<double, 4>, 6> kPrintedProfile = {{{.233, .455, 
                                                                    {.358, .004, 0, 1.99},
                                                                    {.078, 0, 0, 7.41}}};
 
-/// What a parameter is called and has before anybody turns it: with its effects, a row of docs/design/tables/defaults.md.
+/// What a parameter is called and has before anybody turns it: with its effects, a row of docs/design/tables/defaults.csv.
 using Defaults = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
 
 void addDefaults(const std::filesystem::path& file, Defaults& defaults) {
@@ -318,7 +318,7 @@ void addDefaults(const std::filesystem::path& file, Defaults& defaults) {
 std::set<std::string> rowsOf(const Defaults& defaults) {
     std::set<std::string> rows;
     for (const auto& [parameter, effects] : defaults)
-        rows.insert(fmt::format("| `{}` | {} | {} |", parameter.first, parameter.second, fmt::join(effects, ", ")));
+        rows.insert(fmt::format("{},{},\"{}\"", parameter.first, parameter.second, fmt::join(effects, ", ")));
     return rows;
 }
 
@@ -329,14 +329,14 @@ TEST(PublishedValues, defaults_are_those_of_the_table) {
     for (const auto& entry : std::filesystem::directory_iterator("effects"))
         if (entry.path().extension() == ".fx") addDefaults(entry.path(), defaults);
     std::set<std::string> table;
-    std::ifstream file("docs/design/tables/defaults.md");
+    std::ifstream file("docs/design/tables/defaults.csv");
     for (std::string line; std::getline(file, line);)
-        if (line.starts_with("| `")) table.insert(line);
+        if (line != "parameter,default,effects") table.insert(line);
     const std::set<std::string> rows = rowsOf(defaults);
     for (const std::string& row : rows)
-        EXPECT_TRUE(table.contains(row)) << "not in docs/design/tables/defaults.md: " << row;
+        EXPECT_TRUE(table.contains(row)) << "not in docs/design/tables/defaults.csv: " << row;
     for (const std::string& row : table)
-        EXPECT_TRUE(rows.contains(row)) << "no effect has what docs/design/tables/defaults.md says: " << row;
+        EXPECT_TRUE(rows.contains(row)) << "no effect has what docs/design/tables/defaults.csv says: " << row;
 }
 
 TEST(PublishedValues, the_profile_is_the_printed_table_of_six_gaussians) {

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""The table of docs/design/mesh-table.md: `mesh_table.py BUILD [--gltfpack FOLDER] [FILE...]` runs BUILD's mesh_table over generated meshes,
-all meshes of Debian's assimp-testmodels and glmark2-data that `tegument prep` reads, what ./bootstrap fetches, and the files named. A file
-that is there twice, byte by byte, is measured once. With --write the page gets the new table."""
+"""The table beside docs/design/mesh-table.md: `mesh_table.py BUILD [--gltfpack FOLDER] [FILE...]` runs BUILD's mesh_table over generated
+meshes, all meshes of Debian's assimp-testmodels and glmark2-data that `tegument prep` reads, what ./bootstrap fetches, and the files named. A
+file that is there twice, byte by byte, is measured once. With --write tables/mesh-table.csv gets the new table."""
 
 import argparse
+import csv
 import hashlib
 import os
 import pathlib
@@ -12,8 +13,7 @@ import sys
 
 KINDS = {".ply", ".obj", ".stl", ".off", ".glb", ".gltf"}
 FOLDERS = ["/usr/share/assimp/models", "/usr/share/glmark2/models"]
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/design/mesh-table.md"
-BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
+TABLE = pathlib.Path(__file__).resolve().parents[2] / "docs/design/tables/mesh-table.csv"
 
 
 def cached():
@@ -34,12 +34,20 @@ def meshes(named):
             yield path
 
 
+def rows_of(text):
+    """Cells of the Markdown table in a text, without the line between head and body."""
+    for line in text.splitlines():
+        cells = [cell.strip().replace("`", "") for cell in line.strip().strip("|").split("|")]
+        if line.startswith("|") and any(cell.strip("-:") for cell in cells):
+            yield cells
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     parser.add_argument("--gltfpack", metavar="FOLDER", help="with node_modules/gltfpack")
-    parser.add_argument("--write", action="store_true", help=f"into {PAGE.name}")
+    parser.add_argument("--write", action="store_true", help=f"into {TABLE.name}")
     given = parser.parse_intermixed_args()
     command = [given.build / "tests/meshprep/table/mesh_table"]
     if given.gltfpack:
@@ -52,9 +60,8 @@ def main():
     if program.returncode:
         sys.exit(program.returncode)
     if given.write:
-        page = PAGE.read_text()
-        page = page[: page.index(BEGIN) + len(BEGIN)] + "\n" + table + "\n" + page[page.index(END) :]
-        PAGE.write_text(page)
+        with TABLE.open("w", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows(rows_of(table))
 
 
 if __name__ == "__main__":

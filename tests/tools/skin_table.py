@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Tables of skin over views: `skin_table.py FOLDER|views.tar [--write]` reads what `tegument bench --json` wrote, VIEW-*.json, and prints the
-time and error of every setting, names where a peer is both faster and more accurate, and fits growth from growth-texels.json,
-growth-pixels-*.json and growth-links-*.json where they are. With --write the page gets it, and speed-error.md a line that leads there."""
+"""Tables of skin over views: `skin_table.py FOLDER|views.tar [--write]` reads what `tegument bench --json` wrote, VIEW-*.json, and prints what
+leads in each view, where a peer is both faster and more accurate, and growth fitted from growth-texels.json, growth-pixels-*.json and
+growth-links-*.json where they are. With --write views.md and the CSV files beside it get it, and speed-error.md a line that leads there."""
 
 import argparse
+import csv
+import io
 import json
 import math
 import pathlib
@@ -14,6 +16,11 @@ import tempfile
 
 DESIGN = pathlib.Path(__file__).resolve().parents[2] / "docs/design"
 PAGE = DESIGN / "tables/views.md"
+SETTINGS = DESIGN / "tables/views.csv"
+LEADERS = DESIGN / "tables/views-leaders.csv"
+GROWTH = DESIGN / "tables/views-growth.csv"
+MADE_BY = ("command", "device", "driver", "commit", "date")
+COMMAND = "tegument bench --scene effects/workspaces/VIEW.json --map-size 512 1024 2048 --shadow-size 2048 --setting paper corrected"
 MARK = "<!-- views -->"
 OURS = ("Pyramid", "PyramidLinked", "PyramidCompute")
 VIEWS = ("human", "human_side", "human_closeup", "human_half", "human_backlit",
@@ -79,16 +86,23 @@ def read(folder):
     return views
 
 
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+def as_csv(rows):
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
 
 
-def view_table(rows):
-    return table(("technique", "setting", "maps", "shadow map", "ms (gross)", "rel L2", "bias", "MiB of targets"),
-                 [(row["technique"], row["setting"], str(row["map_size"]), str(row["shadow_size"]),
-                   f"{milliseconds(row):.2f} ({row['ms_gross']['median']:.2f})", f"{error(row):.4f}", f"{row['error']['bias']:+.4f}",
-                   f"{row['target_bytes'] / 2**20:.0f}") for row in rows])
+def made_by(row):
+    """The last columns of a table of measurements."""
+    return COMMAND, row["device"], row["driver"].replace("NVIDIA ", ""), "", row["date"]
+
+
+def settings_of(views):
+    """Every setting of every view, one a row."""
+    header = ("view", "skin, % of the picture", "technique", "setting", "maps", "shadow map", "ms", "ms, gross", "rel L2", "bias", "MiB of targets", *MADE_BY)
+    return [header] + [(view, f"{100 * row['coverage']:.0f}", row["technique"], row["setting"], row["map_size"], row["shadow_size"],
+                        f"{milliseconds(row):.2f}", f"{row['ms_gross']['median']:.2f}", f"{error(row):.4f}", f"{row['error']['bias']:+.4f}",
+                        f"{row['target_bytes'] / 2**20:.0f}", *made_by(row)) for view, rows in views.items() for row in rows]
 
 
 def best(rows):
@@ -103,14 +117,14 @@ def figures(row):
     return f"{name(row)}: {error(row):.4f}, {milliseconds(row):.2f} ms"
 
 
-def summary(views):
-    cells = []
-    for view, rows in views.items():
-        ours, peer, as_good = best(rows)
-        cells.append((view, figures(ours), figures(peer), figures(as_good) if as_good else "none",
-                      str(len(dominated(rows))), ", ".join(name(row) for row in undominated_peers(rows)) or "none"))
-    return table(("view", "most accurate of ours", "most accurate peer", "fastest of ours that is as accurate", "dominated",
-                  "peers that nothing of ours dominates"), cells)
+def leaders(views):
+    """For each view what leads, and what leads of the peers."""
+    rows = [("view", "most accurate of ours", "most accurate peer", "fastest of ours that is as accurate", "dominated", "peers that nothing of ours dominates", *MADE_BY)]
+    for view, of in views.items():
+        ours, peer, as_good = best(of)
+        rows.append((view, figures(ours), figures(peer), figures(as_good) if as_good else "none",
+                     str(len(dominated(of))), ", ".join(name(row) for row in undominated_peers(of)) or "none", *made_by(of[0])))
+    return rows
 
 
 def cases(views):
@@ -171,46 +185,45 @@ def grown(quantity, points):
 
 
 def growth(folder):
-    rows = grown("texels of the base", texel_points(folder)) + grown("pixels", pixel_points(folder)) + grown("links", link_points(folder))
-    return table(("quantity", "technique", "sizes", "ms of the passes that grow with it", "exponent"), rows) if rows else ""
+    """Quantity, technique, sizes, ms of the passes that grow with it, exponent of a power law through all sizes."""
+    return grown("texels of the base", texel_points(folder)) + grown("pixels", pixel_points(folder)) + grown("links", link_points(folder))
 
 
 def memory(folder):
     """MiB of render targets, by the size of maps; shadow map and picture as measured."""
-    points = texel_points(folder)
-    sizes = sorted({row["map_size"] for of in points.values() for _, _, row in of})
-    rows = [(technique, *(f"{next(row['target_bytes'] for _, _, row in of if row['map_size'] == size) / 2**20:.0f}" for size in sizes))
-            for technique, of in points.items()]
-    return table(("MiB of targets at maps of", *map(str, sizes)), rows) if rows else ""
+    return [(f"MiB of targets, maps of {row['map_size']}", technique, f"{row['target_bytes'] / 2**20:.0f}")
+            for technique, of in texel_points(folder).items() for _, _, row in sorted(of, key=lambda point: point[0])]
 
 
 def page(folder):
+    """The page, the views, and the tables beside the page by their files."""
     views = read(folder)
     if not views:
         raise SystemExit(f"{folder} holds no table of a view")
     first = next(iter(views.values()))[0]
     width, height = first["resolution"]
-    text = [f"""# Both heads, five views, three sizes of maps, with peers
-
-What [speed-error.md](../speed-error.md) says of views. {first['device']}, driver {first['driver'].replace('NVIDIA ', '')}, {first['compiler']},
-{first['date']}; {width} x {height}; 1,024 pixels of reference, from behind means of 4 x 4 samples in 512. Milliseconds are net of clears, gross in brackets;
-*maps/shadow* in texels. Columns: [bench.md](../../bench.md). Written by `python3 tests/tools/skin_table.py RESULTS --write`.
+    text = f"""# Both heads, five views, three sizes of maps, with peers
 
     tegument bench --scene effects/workspaces/human.json --map-size 512 1024 2048 --shadow-size 2048 --setting paper corrected --json RESULTS/human-all.json
 
-## What leads
+What [speed-error.md](../speed-error.md) says of views. {first['device']}, driver {first['driver'].replace('NVIDIA ', '')}, {first['compiler']},
+{first['date']}; {width} x {height}; 1,024 pixels of reference, from behind means of 4 x 4 samples in 512. Milliseconds are net of clears; *maps/shadow* in
+texels. Every setting: [{SETTINGS.name}]({SETTINGS.name}); what leads in each view: [{LEADERS.name}]({LEADERS.name}); columns: [bench.md](../../bench.md). Written by
+`python3 tests/tools/skin_table.py RESULTS --write`.
 
-*Dominated*: settings of ours than which some peer's is both faster and more accurate, by more than the time's noise; they are named below.
+## Growth
 
-""", summary(views), "\n## Where a peer is both faster and more accurate\n\n", cases(views)]
-    grows, held = growth(folder), memory(folder)
-    if grows:
-        text += ["\n## Growth\n\nThe default head, shadow map 1024; pixels and links at maps of 1024. Exponents: of a power law through all sizes.\n\n", grows]
-    if held:
-        text += ["\nBeside targets: links 33.6 MB a mesh, the maps of Atlas 48 bytes a texel of the base, made once.\n\n", held]
-    for view, rows in views.items():
-        text += [f"\n## {view}\n\n{100 * rows[0]['coverage']:.0f} % of the picture is skin.\n\n", view_table(rows)]
-    return "".join(text), views
+[{GROWTH.name}]({GROWTH.name}): the default head, shadow map 1024, pixels and links at maps of 1024; MiB of render targets. Beside targets: links 33.6 MB a mesh,
+the maps of Atlas 48 bytes a texel of the base, made once.
+
+## Where a peer is both faster and more accurate
+
+By more than the time's noise:
+
+{cases(views)}"""
+    grows = [("quantity", "technique", "sizes", "ms of the passes that grow with it", "exponent", *MADE_BY)]
+    grows += [(*row, "", *made_by(first)[1:]) for row in growth(folder) + [(*row, "", "") for row in memory(folder)]]
+    return text, views, {SETTINGS: settings_of(views), LEADERS: leaders(views), GROWTH: grows}
 
 
 def sentence(views):
@@ -222,8 +235,10 @@ def sentence(views):
             " pixels and links, and memory, stand there too.\n")
 
 
-def write(text, views):
+def write(text, views, tables):
     PAGE.write_text(text)
+    for file, rows in tables.items():
+        file.write_text(as_csv(rows))
     lead = DESIGN / "speed-error.md"
     told = re.sub(re.escape(MARK) + r"\n.*?" + re.escape(MARK) + r"\n", lambda _: f"{MARK}\n{sentence(views)}{MARK}\n", lead.read_text(), flags=re.S)
     lead.write_text(told)
@@ -232,7 +247,7 @@ def write(text, views):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=pathlib.Path)
-    parser.add_argument("--write", action="store_true", help=f"into {PAGE.name}")
+    parser.add_argument("--write", action="store_true", help=f"into {PAGE.name} and the tables beside it")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = given.results
@@ -240,11 +255,11 @@ def main():
             with tarfile.open(folder) as packed:
                 packed.extractall(scratch, filter="data") if hasattr(tarfile, "data_filter") else packed.extractall(scratch)
             folder = pathlib.Path(scratch)
-        text, views = page(folder)
+        text, views, tables = page(folder)
     if given.write:
-        write(text, views)
+        write(text, views, tables)
     else:
-        print(text, end="")
+        print(text, *(as_csv(rows) for rows in tables.values()), sep="\n", end="")
 
 
 if __name__ == "__main__":

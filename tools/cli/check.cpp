@@ -440,7 +440,7 @@ void addCheck(CLI::App& program, Action& action) {
         ->capture_default_str()
         ->needs(emit);
     command->add_flag("--resources", arguments->resources,
-                      "Print what each pass takes of shader model 3 instead (docs/design/tables/resources.md); needs target fx_2_0");
+                      "Print what each pass takes of shader model 3 instead (docs/design/tables/resources.csv); needs target fx_2_0");
     command->add_flag("--skip-missing", arguments->skipMissing, "Accept targets whose tool this machine lacks: exit code 0, not 3");
     command->add_flag("--json", arguments->json, "Print JSON");
     addReportOptions(*command, arguments->report, "--json");

@@ -69,24 +69,22 @@ TEST_P(Matrix, every_pass_of_every_effect_is_measured_against_shader_model_3) {
     }
 }
 
-/// The lines of docs/design/tables/resources.md by the effect whose heading they stand under.
+/// The lines of docs/design/tables/resources.csv without their first cell, by the effect that stands in it. Each cell ends with a comma.
 std::map<std::string, std::vector<std::string>> documentedRows() {
     std::map<std::string, std::vector<std::string>> rows;
-    const auto text = readFile("docs/design/tables/resources.md");
+    const auto text = readFile("docs/design/tables/resources.csv");
     std::istringstream lines(text ? *text : "");
-    std::string effect;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("### ")) effect = line.substr(4);
-        if (line.starts_with("| ") && !effect.empty()) rows[effect].push_back(line);
-    }
+    for (std::string line; std::getline(lines, line);)
+        if (const std::size_t comma = line.find(','); comma != std::string::npos)
+            rows[line.substr(0, comma)].push_back(line.substr(comma + 1) + ",");
     return rows;
 }
 
 /// All numbers behind the first three cells.
 std::vector<int> numbersOf(const std::string& line) {
     std::size_t at = 0;
-    for (int cell = 0; cell < 4; ++cell)
-        at = line.find('|', at + (cell == 0 ? 0 : 1));
+    for (int cell = 0; cell < 3; ++cell)
+        at = line.find(',', at + (cell == 0 ? 0 : 1));
     std::vector<int> numbers;
     std::string digits;
     for (const char c : line.substr(at)) {
@@ -96,21 +94,23 @@ std::vector<int> numbersOf(const std::string& line) {
     return numbers;
 }
 
-TEST_P(Matrix, the_page_of_resources_tells_what_the_passes_take) {
+TEST_P(Matrix, the_table_of_resources_tells_what_the_passes_take) {
     const auto documented = documentedRows();
     for (const ResourceRow& row : resourceTable(effect()).rows) {
-        const std::string start = "| " + row.technique + " | " + row.pass + " | " + row.profile.substr(0, 2) + " " + row.entry + " |";
+        const std::string start = row.technique + "," + row.pass + "," + row.profile.substr(0, 2) + " " + row.entry + ",";
         ASSERT_TRUE(documented.contains(row.effect)) << row.effect;
         const auto& lines = documented.at(row.effect);
         const auto line = std::ranges::find_if(lines, [&](const std::string& l) { return l.starts_with(start); });
-        ASSERT_NE(line, lines.end()) << row.effect << ": no row " << start
-                                     << "\ntegument check effects/*.fx --all-settings --target fx_2_0 --resources prints the page's tables";
+        ASSERT_NE(line, lines.end())
+            << row.effect << ": no row " << start
+            << "\ntegument check effects/*.fx --all-settings --target fx_2_0 --resources | tests/tools/csv_table.py "
+               "docs/design/tables/resources.csv --heading effect";
         const std::vector<int> numbers = numbersOf(*line);
         ASSERT_FALSE(numbers.empty()) << *line;
         int most = 0;
         for (const Sm3Usage& usage : row.usage)
             most = std::max(most, usage.instructionSlots);
-        // Another version of the compiler schedules a few instructions otherwise; a page that is off by more misleads.
+        // Another version of the compiler schedules a few instructions otherwise; a table that is off by more misleads.
         constexpr double kShare = 0.05;
         const int largest =
             *std::max_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(numbers.size(), row.usage.size())));

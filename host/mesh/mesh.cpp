@@ -150,7 +150,8 @@ double greatestSide(const Bounds& bounds) {
 }
 
 Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
-    Result<ReadMesh> file = readMesh(path, {.unitMm = options.unitMm, .guessUnit = options.guessUnit, .roots = options.roots});
+    Result<ReadMesh> file = readMesh(
+        path, {.unitMm = options.unitMm, .guessUnit = options.guessUnit, .ownCoordinates = options.ownCoordinates, .roots = options.roots});
     if (!file) return file.error();
     Mesh mesh = std::move(file->mesh);
     const Source source{.path = path, .bytes = {}, .unitMm = mesh.unitMm};

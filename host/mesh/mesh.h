@@ -94,6 +94,8 @@ struct MeshOptions {
     glm::vec3 scale{1};           // what its placement scales it by: only the size of a head is judged with it
     bool requireUvs = false;      // TG53xx when there are none
     double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
+    bool ownCoordinates = false;  // texture coordinates stay as the file has them, for pictures that come from elsewhere; else those of
+                                  // several materials are laid out in one sheet with their pictures and colours
     Roots roots{};                // where else files may lie that the mesh file names: host/support/roots.h
 };
 

@@ -128,4 +128,18 @@ void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string
                              .sourceLine = {}});
 }
 
+void copyVertex(Mesh& mesh, std::uint32_t vertex) {
+    const auto copy = [&](auto& list) {
+        if (!list.empty()) list.push_back(typename std::decay_t<decltype(list)>::value_type(list[vertex]));
+    };
+    copy(mesh.positions);
+    copy(mesh.normals);
+    copy(mesh.tangents);
+    copy(mesh.uvs);
+    copy(mesh.colors);
+    for (MeshAttribute& attribute : mesh.attributes)
+        for (std::size_t c = 0; c < attribute.components; ++c)
+            attribute.values.push_back(double{attribute.values[vertex * attribute.components + c]});
+}
+
 } // namespace tegument::meshfile

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -18,6 +19,10 @@ namespace tegument::meshfile {
 inline constexpr std::size_t kMaxVertices = 1u << 26;
 inline constexpr std::size_t kMaxIndices = 1u << 28;
 
+inline constexpr int kMostPictureSide = 16384; // texels, as pictures are read
+inline constexpr std::size_t kMostPictureTexels = std::size_t{1} << 26;
+inline constexpr float kUvRounding = 1e-4F;
+
 /// A mesh file's bytes, where they came from, and how many millimetres one of its units is.
 struct Source {
     const std::filesystem::path& path;
@@ -26,6 +31,7 @@ struct Source {
     bool dropBadFaces = false;   // faces that refer to no vertex are counted and left out; otherwise they are an error
     bool keepNotFinite = false;  // whoever reads cares for NaN and infinity; otherwise they are an error
     bool carryMaterials = false; // as ReadOptions has it
+    bool ownCoordinates = false; // the same
     Roots roots{};               // where files may lie that this one names
 
     [[nodiscard]] std::string name() const { return path.string(); }
@@ -43,8 +49,9 @@ inline constexpr int kOutside = 1014;
 [[nodiscard]] Result<ReadMesh> readPly(const Source& source);
 /// With `dropBadFaces`, corners may name what the file lacks.
 [[nodiscard]] Result<ObjFile> parseObj(const Source& source);
-/// The picture that the materials in use name as their colour (map_Kd). TG5326 there are several, TG5328 it cannot be read: both warnings.
-void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
+/// The pictures that the materials in use name as their colour (map_Kd), several in a sheet, with those that have a colour alone (Kd).
+/// Warnings: TG5326 one of several is used, TG5328 one cannot be read.
+void addObjTextures(const Source& source, const ObjFile& file, ReadMesh& read);
 /// Whether materials name a picture for each tile of the plane (UDIM), which no glTF material can.
 [[nodiscard]] bool namesTiles(const Source& source, const ObjFile& file);
 /// That picture as the mesh's colour map; TG5328, a warning, where it cannot be read.
@@ -57,6 +64,24 @@ using PictureEdges = std::array<PictureEdge, 2>;
 /// Where one of the mesh's textures goes on otherwise than by repeating, and coordinates lead there: all are laid out over the tiles in
 /// use, and the coordinates with them. `edges`: of each texture. TG5323, a warning, where that is too large.
 void layOutPictures(const Source& source, const std::vector<PictureEdges>& edges, Mesh& mesh);
+/// The texel of a picture `side` wide that is seen at another, beyond its edges.
+[[nodiscard]] int wrapped(int texel, int side, PictureEdge edge);
+/// Multiplies an sRGB picture by a linear colour.
+void tint(const glm::vec3& factor, Image& picture);
+/// What the triangles of a part are drawn with.
+struct DrawnMaterial {
+    std::optional<Image> colour; // sRGB
+    std::optional<Image> normal;
+    glm::vec3 factor{1}; // linear, of the colour
+    PictureEdges edges{};
+
+    [[nodiscard]] bool hasPicture() const { return colour || normal; }
+};
+/// Several materials as one colour map and one normal map, and the coordinates with them. False, and nothing is done to coordinates, where
+/// the sheet would be too large.
+[[nodiscard]] bool layOutMaterials(std::span<const DrawnMaterial> materials, std::span<const std::size_t> materialOfPart, ReadMesh& read);
+/// Adds a vertex that is equal to this one in everything.
+void copyVertex(Mesh& mesh, std::uint32_t vertex);
 /// The picture as a material of all parts, as glTF has it.
 void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh);
 /// The same materials as glTF has them, with their pictures; `names`: of each part's material. What glTF cannot say is one warning

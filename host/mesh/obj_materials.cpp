@@ -14,14 +14,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Material to file.
-std::map<std::string, fs::path> colourMaps(const Source& source, const fs::path& library, Mesh& mesh) {
-    std::map<std::string, fs::path> maps;
+struct ObjColour {
+    fs::path map; // map_Kd
+    glm::vec3 diffuse{1};
+};
+
+/// By the material's name.
+std::map<std::string, ObjColour> coloursIn(const Source& source, const fs::path& library, Mesh& mesh) {
+    std::map<std::string, ObjColour> colours;
     const auto text = readNamed(source, library);
     if (!text) {
         const Diagnostic& why = text.error().diagnostics.front(); // scans often travel without: no warning
         if (why.code == kOutside) warn(mesh, 5328, source.whole(), "its material library is left out: " + why.text, why.hint);
-        return maps;
+        return colours;
     }
     std::string material;
     for (std::string_view left = withoutMark(*text); !left.empty();) {
@@ -30,10 +35,15 @@ std::map<std::string, fs::path> colourMaps(const Source& source, const fs::path&
         left.remove_prefix(std::min(end + 1, left.size()));
         const std::string keyword = toLower(std::string(nextWord(line)));
         if (keyword == "newmtl") material = trim(line);
-        if (keyword == "map_kd" && !objPictureName(line).empty())
-            maps.emplace(material, objFileIn(library.parent_path(), objPictureName(line)));
+        ObjColour& colour = colours[material];
+        if (keyword == "map_kd" && !objPictureName(line).empty() && colour.map.empty())
+            colour.map = objFileIn(library.parent_path(), objPictureName(line));
+        if (keyword == "kd")
+            for (glm::length_t c = 0; c < 3; ++c)
+                if (double number = 0; parseReal(nextWord(line), number))
+                    colour.diffuse[c] = std::clamp(static_cast<float>(number), 0.0F, 1.0F);
     }
-    return maps;
+    return colours;
 }
 
 constexpr std::string_view kTileMark = "<UDIM>";
@@ -66,40 +76,6 @@ void useTiles(const Source& source, const std::string& pattern, Mesh& mesh) {
     useColourSheet(source, names, mesh);
 }
 
-} // namespace
-
-bool namesTiles(const Source& source, const ObjFile& file) {
-    for (const std::string& library : file.libraries)
-        for (const fs::path& path : objLibrariesIn(source.path.parent_path(), library))
-            if (const auto text = readNamed(source, path); text && text->find(kTileMark) != std::string::npos) return true;
-    return false;
-}
-
-void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
-    std::map<std::string, fs::path> maps;
-    for (const std::string& library : file.libraries)
-        for (const fs::path& path : objLibrariesIn(source.path.parent_path(), library))
-            maps.merge(colourMaps(source, path, mesh));
-    fs::path used;
-    for (std::size_t i = 0; i < file.sections.size(); ++i) {
-        const auto map = maps.find(file.sections[i].material);
-        if (map == maps.end() || file.endOf(i) == file.sections[i].firstFace || map->second == used) continue;
-        if (!used.empty()) {
-            warn(mesh, 5326, source.whole(),
-                 fmt::format("material '{}': a second colour map is ignored: one mesh carries one", map->first.substr(0, 40)),
-                 "name the texture in the workspace, or split the mesh");
-            break;
-        }
-        used = map->second;
-    }
-    if (used.string().find(kTileMark) != std::string::npos)
-        useTiles(source, used.lexically_relative(source.path.parent_path()).string(), mesh);
-    else if (!used.empty())
-        useColourMap(source, used, mesh);
-}
-
-namespace {
-
 std::optional<Image> colourMap(const Source& source, const fs::path& file, Mesh& mesh) {
     const auto bytes = readNamed(source, file);
     auto image = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), file.string()) : Result<Image>(bytes.error());
@@ -112,7 +88,62 @@ std::optional<Image> colourMap(const Source& source, const fs::path& file, Mesh&
     return std::nullopt;
 }
 
+/// Whether the parts have several colours, of which one at least is a picture: then they are laid out in a sheet.
+bool useColoursOfParts(const Source& source, const std::map<std::string, ObjColour>& colours, ReadMesh& read) {
+    std::vector<ObjColour> each;
+    std::vector<std::size_t> ofPart;
+    for (const std::string& name : read.materialNames) {
+        const auto found = colours.find(name);
+        ObjColour colour = found == colours.end() ? ObjColour() : found->second;
+        if (!colour.map.empty()) colour.diffuse = glm::vec3(1); // exporters write any colour beside a map
+        const auto known =
+            std::ranges::find_if(each, [&](const ObjColour& other) { return other.map == colour.map && other.diffuse == colour.diffuse; });
+        ofPart.push_back(static_cast<std::size_t>(known - each.begin()));
+        if (known == each.end()) each.push_back(std::move(colour));
+    }
+    const auto isTiled = [](const ObjColour& colour) { return colour.map.string().find(kTileMark) != std::string::npos; };
+    if (each.size() < 2 || source.ownCoordinates || std::ranges::any_of(each, isTiled)) return false;
+    std::vector<DrawnMaterial> materials;
+    for (const ObjColour& colour : each) {
+        materials.push_back({.colour = {}, .normal = {}, .factor = colour.diffuse});
+        if (!colour.map.empty()) materials.back().colour = colourMap(source, colour.map, read.mesh);
+    }
+    return std::ranges::any_of(materials, &DrawnMaterial::hasPicture) && layOutMaterials(materials, ofPart, read);
+}
+
 } // namespace
+
+bool namesTiles(const Source& source, const ObjFile& file) {
+    for (const std::string& library : file.libraries)
+        for (const fs::path& path : objLibrariesIn(source.path.parent_path(), library))
+            if (const auto text = readNamed(source, path); text && text->find(kTileMark) != std::string::npos) return true;
+    return false;
+}
+
+void addObjTextures(const Source& source, const ObjFile& file, ReadMesh& read) {
+    Mesh& mesh = read.mesh;
+    std::map<std::string, ObjColour> colours;
+    for (const std::string& library : file.libraries)
+        for (const fs::path& path : objLibrariesIn(source.path.parent_path(), library))
+            colours.merge(coloursIn(source, path, mesh));
+    if (useColoursOfParts(source, colours, read)) return;
+    fs::path used;
+    for (const std::string& name : read.materialNames) {
+        const auto colour = colours.find(name);
+        if (colour == colours.end() || colour->second.map.empty() || colour->second.map == used) continue;
+        if (!used.empty()) {
+            warn(mesh, 5326, source.whole(),
+                 fmt::format("material '{}': a second colour map is ignored: one mesh carries one", name.substr(0, 40)),
+                 "name the texture in the workspace, or split the mesh");
+            break;
+        }
+        used = colour->second.map;
+    }
+    if (used.string().find(kTileMark) != std::string::npos)
+        useTiles(source, used.lexically_relative(source.path.parent_path()).string(), mesh);
+    else if (!used.empty())
+        useColourMap(source, used, mesh);
+}
 
 void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
     if (auto image = colourMap(source, used, mesh)) mesh.textures.push_back({.role = "color", .image = std::move(*image)});
@@ -128,8 +159,7 @@ void useColourSheet(const Source& source, const std::vector<std::string>& pictur
         sheet.height = std::max(sheet.height, images.back()->height);
         sheet.bitsPerChannel = std::max(sheet.bitsPerChannel, images.back()->bitsPerChannel);
     }
-    constexpr int kMostSide = 16384; // texels of a picture
-    const int each = sheet.width = std::min(sheet.width, std::max(kMostSide / static_cast<int>(pictures.size()), 1));
+    const int each = sheet.width = std::min(sheet.width, std::max(kMostPictureSide / static_cast<int>(pictures.size()), 1));
     sheet.width *= static_cast<int>(pictures.size());
     sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 4, 1.0F);
     for (std::size_t i = 0; i < images.size(); ++i)

@@ -10,10 +10,6 @@ namespace tegument::meshfile {
 
 namespace {
 
-constexpr float kBeside = 1e-4F; // of rounding
-constexpr int kMostSide = 16384; // texels, as pictures are read
-constexpr std::size_t kMostTexels = std::size_t{1} << 26;
-
 /// Tiles along one axis that the coordinates use.
 struct Tiles {
     int first = 0;
@@ -23,21 +19,13 @@ struct Tiles {
 Tiles tilesOf(const Mesh& mesh, glm::length_t axis, bool clamps) {
     float low = 0, high = 1;
     for (const glm::vec2& uv : mesh.uvs) {
-        low = std::min(low, uv[axis] + kBeside);
-        high = std::max(high, uv[axis] - kBeside);
+        low = std::min(low, uv[axis] + kUvRounding);
+        high = std::max(high, uv[axis] - kUvRounding);
     }
     if (low >= 0 && high <= 1) return {};
     if (!clamps) return {.first = 0, .count = 2}; // the picture and its mirror image repeat
-    const auto within = [](float tile) { return static_cast<int>(std::clamp(tile, -1.0F * kMostSide, 1.0F * kMostSide)); };
+    const auto within = [](float tile) { return static_cast<int>(std::clamp(tile, -1.0F * kMostPictureSide, 1.0F * kMostPictureSide)); };
     return {.first = within(std::floor(low)), .count = within(std::ceil(high)) - within(std::floor(low))};
-}
-
-/// The texel of a picture `side` wide that is seen at a texel of the tiles.
-int texelOf(int at, int side, const Tiles& tiles, PictureEdge edge) {
-    const int tile = at / side + tiles.first;
-    const int within = at % side;
-    if (edge == PictureEdge::Clamp && tile != 0) return tile < 0 ? 0 : side - 1;
-    return edge == PictureEdge::Mirror && tile % 2 != 0 ? side - 1 - within : within;
 }
 
 Image laidOut(const Image& from, const std::array<Tiles, 2>& tiles, const PictureEdges& edges) {
@@ -49,7 +37,8 @@ Image laidOut(const Image& from, const std::array<Tiles, 2>& tiles, const Pictur
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < from.channels; ++c)
-                image.at(x, y, c) = from.at(texelOf(x, from.width, tiles[0], edges[0]), texelOf(y, from.height, tiles[1], edges[1]), c);
+                image.at(x, y, c) = from.at(wrapped(x + tiles[0].first * from.width, from.width, edges[0]),
+                                            wrapped(y + tiles[1].first * from.height, from.height, edges[1]), c);
     return image;
 }
 
@@ -66,8 +55,9 @@ void layOutPictures(const Source& source, const std::vector<PictureEdges>& edges
     }
     if (tiles[0].count * tiles[1].count == 1) return;
     for (const auto& [role, image] : mesh.textures)
-        if (tiles[0].count > kMostSide / image.width || tiles[1].count > kMostSide / image.height ||
-            static_cast<std::size_t>(tiles[0].count * image.width) * static_cast<std::size_t>(tiles[1].count * image.height) > kMostTexels)
+        if (tiles[0].count > kMostPictureSide / image.width || tiles[1].count > kMostPictureSide / image.height ||
+            static_cast<std::size_t>(tiles[0].count * image.width) * static_cast<std::size_t>(tiles[1].count * image.height) >
+                kMostPictureTexels)
             return warn(mesh, 5323, source.whole(),
                         fmt::format("how its pictures go on beyond their edges is ignored: over {} x {} tiles they are too large",
                                     tiles[0].count, tiles[1].count),

@@ -282,21 +282,40 @@ void warnOfLosses(const GltfDocument& document, const std::vector<std::size_t>& 
     losses.ofScene();
 }
 
-/// Collects the textures of the materials that are drawn, one per role: "color" (baseColorTexture), "normal" (normalTexture), and whatever
-/// the material's `extras.tegumentTextures` names as {"role": texture index}.
+/// Collects the textures of the materials that are drawn: "color" (baseColorTexture), "normal" (normalTexture), and whatever a material's
+/// `extras.tegumentTextures` names as {"role": texture index}. Several of a role become a sheet (material_sheet.cpp), but not where there
+/// are such extras, or the mesh's own coordinates are asked for: then the first of each role.
 class GltfTextures {
 public:
     explicit GltfTextures(const GltfDocument& document) : document_(document) {}
+    /// Of each part in turn; an empty value: a part without a material.
     [[nodiscard]] std::optional<Error> add(const GltfValue& material, Mesh& mesh);
-    /// Of each texture of the mesh.
-    [[nodiscard]] const std::vector<PictureEdges>& edges() const { return edges_; }
+    void addPlain() { materialOfPart_.push_back(numberOf({}, glm::vec3(1))); }
+    void finish(ReadMesh& read);
 
 private:
-    [[nodiscard]] std::optional<Error> addTexture(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh);
+    struct Picture {
+        std::string path; // of what refers to it
+        std::optional<Image> image;
+        PictureEdges edges{};
+    };
+
+    [[nodiscard]] std::optional<Error> load(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh);
+    using Textures = std::vector<std::pair<std::string, std::size_t>>; // of each role
+    [[nodiscard]] std::size_t numberOf(const Textures& textures, const glm::vec3& factor);
+    [[nodiscard]] DrawnMaterial drawn(std::size_t material) const;
+    void useFirst(Mesh& mesh);
 
     const GltfDocument& document_;
-    std::map<std::string, std::size_t> imageOfRole_;
-    std::vector<PictureEdges> edges_;
+    std::map<std::pair<std::string, std::size_t>, Picture> pictures_; // by role and texture
+    struct Material {
+        Textures textures;
+        glm::vec3 factor{1};
+
+        bool operator==(const Material&) const = default;
+    };
+    std::vector<Material> materials_; // each once
+    std::vector<std::size_t> materialOfPart_;
 };
 
 PictureEdges edgesOf(const GltfValue& texture, const GltfValue& samplers) {
@@ -354,46 +373,51 @@ void renumber(Json& texture, const std::map<std::size_t, std::size_t>& number) {
 }
 
 std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
-    const auto addReference = [&](const std::string& role, const GltfValue& reference) -> std::optional<Error> {
-        const auto index = reference.whole("index", SIZE_MAX, {});
+    Textures textures;
+    const auto addTexture = [&](const std::string& role, const Result<std::size_t>& index, const GltfValue& from) -> std::optional<Error> {
         if (!index) return index.error();
-        // One set of coordinates is drawn with: the colour map's (read_gltf.cpp).
-        const GltfValue base = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"];
-        if (reference["extensions"]["KHR_texture_transform"].json() != base.json())
-            warn(mesh, 5323, document_.source().whole(),
-                 reference.path() + ": its KHR_texture_transform is not the colour map's, and is ignored");
-        return addTexture(role, *index, reference, mesh);
+        textures.emplace_back(role, *index);
+        return load(role, *index, from, mesh);
     };
     const GltfValue surface = material["pbrMetallicRoughness"];
+    const GltfValue base = surface["baseColorTexture"];
     if (surface.has("baseColorTexture"))
-        if (auto error = addReference("color", surface["baseColorTexture"])) return error;
-    if (material.has("normalTexture"))
-        if (auto error = addReference("normal", material["normalTexture"])) return error;
-    const GltfValue own = material["extras"]["tegumentTextures"];
-    if (!own.json().is_object()) return std::nullopt;
-    for (const auto& [role, texture] : own.json().items()) {
-        const auto index = own.whole(role.c_str(), SIZE_MAX, {});
-        if (!index) return index.error();
-        if (auto error = addTexture(role, *index, own, mesh)) return error;
+        if (auto error = addTexture("color", base.whole("index", SIZE_MAX, {}), base)) return error;
+    if (material.has("normalTexture")) {
+        const GltfValue normal = material["normalTexture"]; // one set of coordinates is drawn with: the colour map's
+        if (normal["extensions"]["KHR_texture_transform"].json() != base["extensions"]["KHR_texture_transform"].json())
+            warn(mesh, 5323, document_.source().whole(),
+                 normal.path() + ": its KHR_texture_transform is not the colour map's, and is ignored");
+        if (auto error = addTexture("normal", normal.whole("index", SIZE_MAX, {}), normal)) return error;
     }
+    const GltfValue own = material["extras"]["tegumentTextures"];
+    if (own.json().is_object())
+        for (const auto& [role, texture] : own.json().items())
+            if (auto error = addTexture(role, own.whole(role.c_str(), SIZE_MAX, {}), own)) return error;
+    const auto factor = surface.numbers("baseColorFactor", 4, {1, 1, 1, 1});
+    if (!factor) return factor.error();
+    materialOfPart_.push_back(
+        numberOf(textures, glm::clamp(glm::vec3((*factor)[0], (*factor)[1], (*factor)[2]), glm::vec3(0), glm::vec3(1))));
     return std::nullopt;
 }
 
-std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh) {
+std::size_t GltfTextures::numberOf(const Textures& textures, const glm::vec3& factor) {
+    const Material material{.textures = textures, .factor = factor};
+    const auto known = std::ranges::find(materials_, material);
+    if (known != materials_.end()) return static_cast<std::size_t>(known - materials_.begin());
+    materials_.push_back(material);
+    return materials_.size() - 1;
+}
+
+std::optional<Error> GltfTextures::load(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh) {
     const GltfValue textures = document_.root()["textures"];
     if (texture >= textures.size()) return from.wrong(fmt::format("names texture {} of {}", texture, textures.size()));
+    const auto [known, isNew] = pictures_.emplace(std::pair(role, texture), Picture{.path = from.path(), .image = {}});
+    if (!isNew) return std::nullopt;
     const auto image = textures[texture].whole("source", SIZE_MAX, {});
     if (!image) { // an extension names it, in a form that is not read
         warn(mesh, 5328, document_.source().whole(), fmt::format("the '{}' texture is left out: it is no PNG or JPEG file", role),
              "export the textures as PNG or JPEG");
-        return std::nullopt;
-    }
-    const auto [known, isNew] = imageOfRole_.emplace(role, *image);
-    if (!isNew) {
-        if (known->second != *image)
-            warn(mesh, 5326, document_.source().whole(),
-                 fmt::format("{}: a second '{}' texture is ignored: one mesh carries one of each role", from.path(), role),
-                 "name the texture in the workspace, or split the mesh");
         return std::nullopt;
     }
     const auto bytes = pictureBytes(document_, *image);
@@ -408,9 +432,51 @@ std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size
             hintFor(loaded.error(), "put the pictures where the file says, or give one: --set gSkinMap=FILE"));
         return std::nullopt;
     }
-    mesh.textures.push_back({.role = role, .image = std::move(*loaded)});
-    edges_.push_back(edgesOf(textures[texture], document_.root()["samplers"]));
+    known->second.image = std::move(*loaded);
+    known->second.edges = edgesOf(textures[texture], document_.root()["samplers"]);
     return std::nullopt;
+}
+
+DrawnMaterial GltfTextures::drawn(std::size_t material) const {
+    DrawnMaterial drawn{.colour = {}, .normal = {}, .factor = materials_[material].factor};
+    for (const auto& [role, texture] : materials_[material].textures) {
+        const Picture& picture = pictures_.at({role, texture});
+        (role == "color" ? drawn.colour : drawn.normal) = picture.image;
+        if (role == "color" || !drawn.colour) drawn.edges = picture.edges;
+    }
+    return drawn;
+}
+
+void GltfTextures::useFirst(Mesh& mesh) {
+    std::map<std::string, std::size_t> first;
+    std::vector<PictureEdges> edges;
+    for (const Material& material : materials_)
+        for (const auto& [role, texture] : material.textures) {
+            Picture& picture = pictures_.at({role, texture});
+            const auto [known, isNew] = first.emplace(role, texture);
+            if (!isNew && known->second != texture)
+                warn(mesh, 5326, document_.source().whole(),
+                     fmt::format("{}: a second '{}' texture is ignored: one mesh carries one of each role", picture.path, role),
+                     "name the texture in the workspace, or split the mesh");
+            if (!isNew || !picture.image) continue;
+            edges.push_back(picture.edges);
+            mesh.textures.push_back({.role = role, .image = std::move(*picture.image)});
+            if (role == "color") tint(material.factor, mesh.textures.back().image);
+        }
+    layOutPictures(document_.source(), edges, mesh);
+}
+
+void GltfTextures::finish(ReadMesh& read) {
+    const auto isOwn = [](const auto& entry) { return entry.first.first != "color" && entry.first.first != "normal"; };
+    const bool pictured = std::ranges::any_of(pictures_, [](const auto& entry) { return entry.second.image.has_value(); });
+    if (materials_.size() > 1 && pictured && !read.mesh.uvs.empty() && !document_.source().ownCoordinates &&
+        std::ranges::none_of(pictures_, isOwn)) {
+        std::vector<DrawnMaterial> materials;
+        for (std::size_t i = 0; i < materials_.size(); ++i)
+            materials.push_back(drawn(i));
+        if (layOutMaterials(materials, materialOfPart_, read)) return;
+    }
+    useFirst(read.mesh);
 }
 
 /// All materials as they are, with the files of their pictures. A picture that is not there or is none is left out: TG5328, a warning.
@@ -514,14 +580,15 @@ public:
         if (!allNormals_) mesh_.normals.clear();
         if (!allTangents_) mesh_.tangents.clear();
         finishUvs();
-        layOutPictures(source_, textures_.edges(), mesh_);
         if (skipped_ > 0) warn(mesh_, 5323, source_.whole(), fmt::format("{} primitives that are points or lines are left out", skipped_));
         counts_.vertices = mesh_.positions.size();
         if (source_.carryMaterials) {
             mesh_.materials = carriedMaterials(document_, mesh_);
             warnOfLosses(document_, usedMeshes(), mesh_);
         }
-        return ReadMesh{.mesh = std::move(mesh_), .counts = counts_, .exact = std::move(exact_), .exactFrom = exactFrom_};
+        ReadMesh read{.mesh = std::move(mesh_), .counts = counts_, .exact = std::move(exact_), .exactFrom = exactFrom_};
+        if (!source_.carryMaterials) textures_.finish(read);
+        return read;
     }
 
 private:
@@ -797,8 +864,9 @@ private:
             if (!index) return index.error();
             if (name.empty()) name = materials[*index].text("name");
             material = static_cast<std::uint32_t>(*index);
-            if (!source_.carryMaterials)
-                if (auto error = textures_.add(materials[*index], mesh_)) return error;
+            if (auto error = source_.carryMaterials ? std::nullopt : textures_.add(materials[*index], mesh_)) return error;
+        } else {
+            textures_.addPlain();
         }
         mesh_.parts.push_back({.name = name.empty() ? meshName : name,
                                .firstIndex = first,

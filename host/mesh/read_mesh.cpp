@@ -178,6 +178,7 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
                   .dropBadFaces = options.dropBadFaces,
                   .keepNotFinite = options.dropNotFinite,
                   .carryMaterials = options.carryMaterials,
+                  .ownCoordinates = options.ownCoordinates,
                   .roots = rootsOf(path, {}, options.roots)};
     Result<ReadMesh> file = format->read(source);
     if (!file) return file;

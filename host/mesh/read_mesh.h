@@ -16,6 +16,7 @@ struct ReadOptions {
     bool dropBadFaces = false;    // leave out faces that refer to no vertex, with a count, instead of refusing the file
     bool dropNotFinite = false;   // leave out faces with a corner at NaN or infinity, with a count, instead of refusing the file
     bool carryMaterials = false;  // keep materials and their pictures as they are in the file, instead of decoding a few of them
+    bool ownCoordinates = false;  // as MeshOptions::ownCoordinates
     Roots roots{};                // as MeshOptions::roots
 };
 

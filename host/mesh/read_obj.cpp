@@ -154,7 +154,7 @@ Result<ReadMesh> readObj(const Source& source) {
     if (read && source.carryMaterials && !namesTiles(source, *file))
         carryObjMaterials(source, *file, read->materialNames, read->mesh);
     else if (read && !read->mesh.uvs.empty())
-        addObjTextures(source, *file, read->mesh);
+        addObjTextures(source, *file, *read);
     return read;
 }
 

@@ -9,7 +9,7 @@
 // Triangles without UV area have no direction and no sign of their own: they join any group. A vertex of several groups is split.
 // glTF's v points down and MikkTSpace's up: with v turned, bitangent = w * cross(normal, tangent) points towards decreasing v.
 
-#include "host/mesh/mesh.h"
+#include "host/mesh/mesh_file.h"
 #include "host/mesh/welding.h"
 #include "host/support/disjoint_sets.h"
 
@@ -179,21 +179,13 @@ private:
                 mesh_.tangents[vertex] = tangent;
             } else if (mesh_.tangents[vertex] != tangent) {
                 const auto [copy, isNew] = copies.emplace(std::pair(vertex, group), static_cast<std::uint32_t>(mesh_.positions.size()));
-                if (isNew) duplicate(vertex, tangent);
+                if (isNew) {
+                    meshfile::copyVertex(mesh_, vertex);
+                    mesh_.tangents.back() = tangent;
+                }
                 mesh_.indices[corner] = copy->second;
             }
         }
-    }
-
-    void duplicate(std::uint32_t vertex, const glm::vec4& tangent) {
-        mesh_.positions.push_back(glm::vec3(mesh_.positions[vertex]));
-        mesh_.normals.push_back(glm::vec3(mesh_.normals[vertex]));
-        mesh_.uvs.push_back(glm::vec2(mesh_.uvs[vertex]));
-        mesh_.tangents.push_back(tangent);
-        if (!mesh_.colors.empty()) mesh_.colors.push_back(glm::vec4(mesh_.colors[vertex]));
-        for (MeshAttribute& attribute : mesh_.attributes)
-            for (std::size_t c = 0; c < attribute.components; ++c)
-                attribute.values.push_back(double{attribute.values[vertex * attribute.components + c]});
     }
 
     Mesh& mesh_;

@@ -94,6 +94,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     const auto switched = takeSwitches(sets);
     if (!switched) return switched.error();
     load.defines.insert(load.defines.end(), switched->begin(), switched->end());
+    sceneOptions.pictures = std::ranges::any_of(sets, [](const std::string& set) { return isPainted(set); });
     sceneOptions.roots = load.roots;
     sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load.includeFolders.begin(), load.includeFolders.end());
     auto effect = loadEffect(*file, load);

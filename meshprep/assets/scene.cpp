@@ -4,6 +4,7 @@
 #include "host/mesh/triangles.h"
 #include "host/run/semantics.h"
 #include "host/support/text.h"
+#include "meshprep/assets/picture.h"
 #include "meshprep/assets/strands.h"
 #include "meshprep/prepare/prepare.h"
 
@@ -157,6 +158,15 @@ Mesh ball() {
     return mesh;
 }
 
+} // namespace
+
+bool isPainted(const fs::path& file) {
+    const std::string ending = toLower(file.extension().string());
+    return isDisplayed(file) || ending == ".bmp" || ending == ".tga";
+}
+
+namespace {
+
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
     if (path.empty() && options.foreign) return ball();
@@ -167,6 +177,8 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (options.head) load.expectHead = *options.head;
     load.guessUnit = !options.mesh.empty() && !load.expectHead && !options.portrait;
     load.roots = options.roots;
+    load.ownCoordinates =
+        options.pictures || std::ranges::any_of(workspace.textures, [](const auto& entry) { return isPainted(entry.second); });
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, attributionOf(options, workspace));
 }
 

@@ -27,7 +27,8 @@ struct SceneOptions {
     bool foreign = false; // the effect is another host's: without a mesh it is shown on a ball, and its world is about as large
     bool turns = false;   // a mesh of one's own is framed so that it can turn
     std::optional<PortraitHints> portrait{}; // the mesh is a head, to be laid and framed as in a portrait
-    Roots roots{};                           // where else files may lie that meshes name
+    bool pictures = false; // a picture is given for the mesh: its coordinates stay as they are (MeshOptions::ownCoordinates)
+    Roots roots{};         // where else files may lie that meshes name
 };
 
 /// `workspace.objects` empty: one mesh, or none.
@@ -40,6 +41,10 @@ struct Scene {
     bool isOwn = false;                 // the mesh is the user's, not the workspace's
     std::vector<std::string> guesses{}; // of a portrait: a line each, with the option that says otherwise
 };
+
+/// Whether the name is that of a painted or photographed picture, which lies by the mesh's own texture coordinates; baked maps (DDS, EXR)
+/// lie by those that the mesh is drawn with.
+[[nodiscard]] bool isPainted(const std::filesystem::path& file);
 
 /// A workspace whose mesh is one that the program makes, and is not there, names the command.
 [[nodiscard]] WorkspaceOptions workspaceOptions(bool requireMesh = true);

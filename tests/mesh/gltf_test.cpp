@@ -184,19 +184,82 @@ TEST_F(Gltf, textures_are_found_by_role_embedded_and_beside_the_file) {
     EXPECT_EQ(roles, "color normal kernelSize ");
 }
 
-TEST_F(Gltf, a_second_texture_of_a_role_is_ignored_with_a_warning) {
+TEST_F(Gltf, a_second_texture_of_a_role_is_ignored_with_a_warning_where_coordinates_must_stay) {
     const auto png = encodePng({.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw);
     ASSERT_TRUE(png);
     write("red.png", *png);
     write("other.png", *png);
     Parts parts;
-    parts.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0},{"attributes":{"POSITION":0},"indices":1,"material":1})";
-    parts.more = R"(,"materials":[{"normalTexture":{"index":0}},{"normalTexture":{"index":1}}],
-        "textures":[{"source":0},{"source":1}],"images":[{"uri":"red.png"},{"uri":"other.png"}])";
-    const auto mesh = load("a.glb", triangle(parts));
+    parts.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0},)"
+                      R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":1})";
+    const std::string pictures = R"("textures":[{"source":0},{"source":1}],"images":[{"uri":"red.png"},{"uri":"other.png"}])";
+    for (const auto& [second, own] : {std::pair(R"({"normalTexture":{"index":1}})", true), // as the caller asks
+                                      std::pair(R"({"extras":{"tegumentTextures":{"normal":1,"shine":0}}})", false)}) {
+        parts.more = R"(,"materials":[{"normalTexture":{"index":0}},)" + std::string(second) + "]," + pictures;
+        const auto mesh = load("a.glb", triangle(parts), {.ownCoordinates = own});
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        EXPECT_EQ(mesh->textures.size(), own ? 1U : 2U);
+        EXPECT_TRUE(hasWarning(*mesh, 5326));
+        EXPECT_EQ(mesh->uvs[mesh->indices[1]], glm::vec2(1, 1));
+    }
+}
+
+TEST_F(Gltf, materials_of_several_pictures_and_colours_are_laid_out_in_one_sheet) {
+    const auto picture = [&](const std::string& name, int side, const std::vector<float>& colour) {
+        Image image{.width = side, .height = side, .channels = 3, .pixels = {}, .metadata = {}};
+        for (int i = 0; i < side * side; ++i)
+            image.pixels.insert(image.pixels.end(), colour.begin(), colour.end());
+        ASSERT_TRUE(writePng(folder_ / name, image, PngEncoding::Raw));
+    };
+    picture("red.png", 64, {1, 0, 0});
+    picture("blue.png", 16, {0, 0, 1});
+    picture("bump.png", 32, {1, 0.5F, 0.5F});
+    Parts parts;
+    parts.primitive.clear();
+    for (const char* material : {R"(,"material":0)", R"(,"material":1)", R"(,"material":2)", R"(,"material":3)", "", R"(,"material":0)"})
+        parts.primitive += (parts.primitive.empty() ? "" : ",") +
+                           std::string(R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1)") + material + "}";
+    parts.more =
+        R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)"
+        R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":1}},"normalTexture":{"index":2}},)"
+        R"({"pbrMetallicRoughness":{"baseColorFactor":[0,1,0,1]}},)"
+        R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[0.25,1,1,1]}}],)"
+        R"("textures":[{"source":0},{"source":1},{"source":2}],"images":[{"uri":"red.png"},{"uri":"blue.png"},{"uri":"bump.png"}])";
+    const auto mesh = load("a.glb", triangle(parts), kMillimetres);
     ASSERT_TRUE(mesh) << format(mesh.error());
-    EXPECT_EQ(mesh->textures.size(), 1U);
-    EXPECT_TRUE(std::ranges::any_of(mesh->warnings, [](const Diagnostic& warning) { return warning.code == 5326; }));
+    ASSERT_EQ(mesh->parts.size(), 6U);
+    ASSERT_EQ(mesh->textures.size(), 2U);
+    const auto seen = [&](std::size_t part, std::size_t role) {
+        const Image& sheet = mesh->textures[role].image;
+        const std::uint32_t* t = &mesh->indices[mesh->parts[part].firstIndex];
+        const glm::vec2 middle = (mesh->uvs[t[0]] + mesh->uvs[t[1]] + mesh->uvs[t[2]]) / 3.0F;
+        const glm::ivec2 texel = middle * glm::vec2(sheet.width, sheet.height);
+        return glm::vec3(sheet.at(texel.x, texel.y, 0), sheet.at(texel.x, texel.y, 1), sheet.at(texel.x, texel.y, 2));
+    };
+    const float quarter = linearToSrgb(0.25F);
+    const std::vector<glm::vec3> colours = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {quarter, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+    for (std::size_t part = 0; part < colours.size(); ++part) {
+        EXPECT_LT(glm::length(seen(part, 0) - colours[part]), 1e-3F) << part;
+        const glm::vec3 flat(0.5F, 0.5F, 1), bump(1, 0.5F, 0.5F);
+        EXPECT_LT(glm::length(seen(part, 1) - (part == 1 ? bump : flat)), 5e-3F) << part;
+    }
+    EXPECT_EQ(mesh->uvs[mesh->indices[0]], mesh->uvs[mesh->indices[mesh->parts[5].firstIndex]]) << "a material has one place";
+    for (const glm::vec2& uv : mesh->uvs)
+        EXPECT_TRUE(uv.x > 0 && uv.x < 1 && uv.y > 0 && uv.y < 1);
+}
+
+TEST_F(Gltf, the_factor_of_a_material_colours_its_picture) {
+    ASSERT_TRUE(
+        writePng(folder_ / "white.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 1, 1}, .metadata = {}}, PngEncoding::Raw));
+    Parts parts;
+    parts.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0})";
+    parts.more = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[0.5,1,0,1]}}],)"
+                 R"("textures":[{"source":0}],"images":[{"uri":"white.png"}])";
+    const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_NEAR(mesh->textures.at(0).image.at(0, 0, 0), linearToSrgb(0.5F), 1e-6);
+    EXPECT_NEAR(mesh->textures[0].image.at(0, 0, 1), 1, 1e-6);
+    EXPECT_EQ(mesh->textures[0].image.at(0, 0, 2), 0);
 }
 
 TEST_F(Gltf, a_missing_texture_file_is_a_warning_that_names_it) {

@@ -169,13 +169,27 @@ TEST_F(Obj, brings_the_colour_map_that_its_material_names) {
     }
 }
 
-TEST_F(Obj, with_two_colour_maps_keeps_the_first_and_without_its_files_goes_on) {
-    ASSERT_TRUE(
-        writePng(folder_ / "red.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw));
-    write("my scan.mtl", "newmtl skin\nmap_Kd red.png\nnewmtl eye\nmap_Kd eye.png\n");
-    const auto two = load("a.obj", std::string(kMaterialObj) + "usemtl eye\nf 3/3 2/2 1/1\n");
+TEST_F(Obj, lays_out_several_colours_in_a_sheet_or_keeps_the_first_where_coordinates_must_stay) {
+    for (const auto& [name, colour] :
+         {std::pair("red.png", std::vector<float>{1, 0, 0}), std::pair("eye.png", std::vector<float>{0, 0, 1})})
+        ASSERT_TRUE(writePng(folder_ / name, {.width = 1, .height = 1, .channels = 3, .pixels = colour, .metadata = {}}, PngEncoding::Raw));
+    write("my scan.mtl", "newmtl skin\nmap_Kd red.png\nKd 0 0 0\nnewmtl eye\nmap_Kd eye.png\nnewmtl lip\nKd 0 .25 0\n");
+    const std::string text = std::string(kMaterialObj) + "usemtl eye\nf 3/3 2/2 1/1\nusemtl lip\nf 1/1 2/2 3/3\n"; // of the same corners
+    const auto sheet = load("a.obj", text);
+    ASSERT_TRUE(sheet) << format(sheet.error());
+    ASSERT_EQ(sheet->textures.size(), 1U);
+    EXPECT_EQ(sheet->positions.size(), 9U) << "a vertex for each colour";
+    const Image& image = sheet->textures[0].image;
+    const std::vector<glm::vec3> colours = {{1, 0, 0}, {0, 0, 1}, {0, linearToSrgb(0.25F), 0}};
+    for (std::size_t i = 0; i < sheet->indices.size(); ++i) {
+        const glm::ivec2 texel = glm::clamp(glm::ivec2(sheet->uvs[sheet->indices[i]] * glm::vec2(image.width, image.height)), 0, 4096);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(image.at(texel.x, texel.y, c), colours[i / 3][c], 1e-3) << i;
+    }
+    const auto two = load("a.obj", text, {.ownCoordinates = true});
     ASSERT_TRUE(two);
     EXPECT_EQ(two->textures.size(), 1U);
+    EXPECT_EQ(two->uvs[two->indices[1]], glm::vec2(1, 1));
     ASSERT_FALSE(two->warnings.empty());
     EXPECT_EQ(two->warnings[0].code, 5326);
     write("my scan.mtl", "newmtl skin\nmap_Kd gone.png\n");

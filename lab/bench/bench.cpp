@@ -58,16 +58,11 @@ Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>
     if (stage->sample.points.empty())
         return inputError(8075, {.file = stage->scene.file.string(), .byte = {}}, "the camera sees no skin that could be compared",
                           "move the camera of the workspace, or choose a larger --size");
-    const KeptLight kept = keptFor(options.kept, stage->scene, stage->sample, part);
-    auto light = trueLight(stage->truth, stage->sample, kept, progressOf(say, fmt::format("{}: reference", name)));
-    if (!light) return light.error();
-    stage->light = std::move(*light);
+    stage->light = trueLight(stage->truth, stage->sample, part, progressOf(say, fmt::format("{}: reference", name)));
     for (const Contender& contender : contenders) {
         if (contender.ownDefinition().empty() || stage->claimed.contains(contender.ownDefinition())) continue;
-        auto claimed = claimedLight(stage->truth, stage->sample, contender, kept,
-                                    progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
-        if (!claimed) return claimed.error();
-        stage->claimed[contender.ownDefinition()] = std::move(*claimed);
+        stage->claimed[contender.ownDefinition()] = claimedLight(
+            stage->truth, stage->sample, contender, part, progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
     }
     return stage;
 }

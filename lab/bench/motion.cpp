@@ -128,7 +128,7 @@ Path pathOf(const Scene& scene, const Motion& motion, const BenchOptions& option
     for (const reference::ShadedPoint& point : reference::spreadEvenly(std::move(common), options.pixels))
         path.places.emplace_back(point.y, point.x);
     for (const StoodScene& frame : stood)
-        path.truth.push_back(*trueLight(frame.truth, atPlaces(frame.sample, path.places), {}, [&](std::size_t done, std::size_t total) {
+        path.truth.push_back(trueLight(frame.truth, atPlaces(frame.sample, path.places), {}, [&](std::size_t done, std::size_t total) {
             say(fmt::format("{}, frame {} of {}: reference, pixel {} of {}", motion.name, path.truth.size() + 1, kMotionFrames, done,
                             total));
         }));

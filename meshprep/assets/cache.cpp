@@ -9,17 +9,6 @@
 
 namespace tegument::assets {
 
-CacheKey::CacheKey(int version) : all_(fmt::format("{} ", version)) {}
-
-CacheKey& CacheKey::add(std::string_view bytes) {
-    all_ += contentHash(bytes);
-    return *this;
-}
-
-std::string CacheKey::text() const {
-    return contentHash(all_);
-}
-
 Result<std::filesystem::path> cachedDds(const std::string& folder, const std::string& name, const std::string& what, const Say& say,
                                         const std::function<Result<void>(const std::filesystem::path&)>& make) {
     const std::filesystem::path file = cacheFolder() / folder / "made" / (name + ".dds");

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kKind = "tegument skin links";
 
 std::string keyOf(const Mesh& mesh, const LinkOptions& options) {
-    return CacheKey(kLinkVersion)
+    return CacheKey(fmt::format("links {}", kLinkVersion))
         .add(fmt::format("{} {} {} {} {} {} {}", options.variances[0], options.variances[1], options.fourth, options.fourthShare,
                          options.lost, options.nearest, options.growth))
         .add(mesh.positions)

@@ -47,7 +47,8 @@ Result<fs::path> cachedEnvironment(const std::string& generator, const Say& say)
 
 /// The mesh's own, by its shape and texture coordinates.
 Result<fs::path> cachedOcclusion(const Mesh& mesh, const Say& say) {
-    const CacheKey key = CacheKey(kOcclusionVersion).add(mesh.positions).add(mesh.normals).add(mesh.uvs).add(mesh.indices);
+    const CacheKey key =
+        CacheKey(fmt::format("occlusion {}", kOcclusionVersion)).add(mesh.positions).add(mesh.normals).add(mesh.uvs).add(mesh.indices);
     const auto make = [&](const fs::path& file) -> Result<void> {
         const auto occlusion = bakeOcclusion(mesh);
         if (!occlusion) return occlusion.error();
@@ -118,7 +119,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
     std::string name = fmt::format("{}_{}", generator == kCubeMap ? "cube" : "sphere", kVersion);
     if (roots)
         name = (generator == kHairGenerator ? "hair_" : "roots_") +
-               CacheKey(kVersion).add(mesh.positions).add(mesh.normals).add(mesh.indices).text();
+               CacheKey(fmt::format("roots {}", kVersion)).add(mesh.positions).add(mesh.normals).add(mesh.indices).text();
     const auto write = [&](const fs::path& file) -> Result<void> {
         const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
         if (!texture) return texture.error();

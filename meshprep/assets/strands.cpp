@@ -77,7 +77,7 @@ void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, con
 
 /// Into the cache: a texture has a name.
 Result<void> givePose(const char* parameter, Image image, Scene& scene) {
-    const std::string name = "pose_" + CacheKey(1).add(image.pixels).text();
+    const std::string name = "pose_" + CacheKey("pose 1").add(image.pixels).text();
     const auto file = cachedDds("fur", name, {}, {}, [&](const fs::path& made) {
         return writeDds(made, {.format = DdsFormat::Rgba32F, .images = {std::move(image)}});
     });

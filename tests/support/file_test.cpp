@@ -1,8 +1,11 @@
 
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "host/support/result.h"
 #include "host/support/temporary.h"
 #include "host/support/text.h"
+
+#include "tests/support/variable.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -40,6 +43,31 @@ protected:
 };
 
 } // namespace
+
+TEST_F(Files, what_is_kept_comes_back_and_a_file_cut_short_or_changed_anywhere_is_a_miss) {
+    const test::Variable cache("TEGUMENT_CACHE", folder_.string());
+    EXPECT_FALSE(loadCached("kind/name"));
+    const std::vector<double> numbers = {1.5, -0.0};
+    storeCached("kind/name", bytesOf(numbers));
+    EXPECT_EQ(loadCachedList<double>("kind/name"), numbers);
+    const std::string whole = *readFile(folder_ / "kind" / "name");
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        ASSERT_TRUE(writeFile(folder_ / "kind" / "name", whole.substr(0, at)));
+        ASSERT_FALSE(loadCached("kind/name")) << at << " bytes";
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ 16);
+        ASSERT_TRUE(writeFile(folder_ / "kind" / "name", changed));
+        ASSERT_FALSE(loadCached("kind/name")) << "byte " << at;
+    }
+}
+
+TEST(CacheKeys, keep_maker_parts_and_their_order_apart) {
+    const auto key = [](std::string_view maker, std::string_view a, std::string_view b) { return CacheKey(maker).add(a).add(b).text(); };
+    EXPECT_EQ(key("links 3", "ab", "c"), key("links 3", "ab", "c"));
+    for (const std::string& other : {key("links 4", "ab", "c"), key("links 3", "a", "bc"), key("links 3", "c", "ab")})
+        EXPECT_NE(key("links 3", "ab", "c"), other);
+    EXPECT_NE(CacheKey("").add(1).text(), CacheKey("").add(2).text());
+}
 
 TEST_F(Files, what_is_written_is_read_back_byte_for_byte) {
     const std::string bytes("a\0b\r\n\xff", 6);

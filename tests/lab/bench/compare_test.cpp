@@ -12,6 +12,7 @@
 #include "lab/bench/truth.h"
 #include "meshprep/assets/generators.h"
 #include "tests/gpu/with_device.h"
+#include "tests/support/variable.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -249,6 +250,22 @@ TEST_F(Comparison, samples_lie_evenly_in_their_pixels) {
         EXPECT_EQ(middle.y, 3 * sample.points[i].y + 1);
         EXPECT_LT(glm::length(middle.point.position - sample.points[i].point.position), 1e-9) << "the fifth of nine is the centre";
     }
+}
+
+TEST_F(Comparison, references_in_parts_are_a_whole) {
+    const test::Variable cache("TEGUMENT_CACHE", (options_.sceneFolder / "cache").string());
+    const auto scene = loadScene("sphere-5", {.effects = "effects", .folder = options_.sceneFolder, .width = 48, .height = 48});
+    ASSERT_TRUE(scene) << format(scene.error());
+    const TruthScene truth = truthScene(*scene, 48, 48);
+    Sample sample = samplePixels(*scene, truth, 1);
+    sample.parts.assign(kKeptTogether + 1, sample.points.front());
+    const auto first = trueLight(truth, sample, {1, 2}, {});
+    const auto second = trueLight(truth, sample, {2, 2}, {});
+    EXPECT_EQ(first.back(), glm::dvec3(0)) << "the second part's";
+    const auto whole = trueLight(truth, sample, {}, [](std::size_t, std::size_t) { ADD_FAILURE() << "computed again"; });
+    EXPECT_EQ(whole.front(), first.front());
+    EXPECT_EQ(whole.back(), second.back());
+    EXPECT_EQ(whole.front(), whole.back());
 }
 
 TEST_F(Comparison, a_second_run_confirms_the_pick) {

@@ -51,8 +51,7 @@ std::optional<Diagnostic> direct3D9Intrinsic(const Effect& effect) {
                           .code = 2023,
                           .at = {place.file, tokens[i].line + place.offset, tokens[i].column, std::nullopt},
                           .text = fmt::format("not checked: Direct3D 9 intrinsic '{}'", tokens[i].text),
-                          .hint = "SPIR-V targets need the spelling of Direct3D 10 or hlsl/platform.fxh",
-                          .sourceLine = {}};
+                          .hint = "SPIR-V targets need the spelling of Direct3D 10 or hlsl/platform.fxh"};
     }
     return std::nullopt;
 }

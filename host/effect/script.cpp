@@ -111,14 +111,10 @@ private:
 
     void fail(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
         if (lenient_)
-            result_.warnings.push_back({.severity = Severity::Warning,
-                                        .code = code,
-                                        .at = at,
-                                        .text = std::move(text),
-                                        .hint = std::move(hint),
-                                        .sourceLine = {}});
+            result_.warnings.push_back(
+                {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint)});
         else if (errors_.size() < 20)
-            errors_.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+            errors_.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint)});
     }
 
     void command(std::size_t start, std::size_t end) {
@@ -239,9 +235,7 @@ private:
             result_.warnings.push_back({.severity = Severity::Warning,
                                         .code = 2009,
                                         .at = command.at,
-                                        .text = fmt::format("{} is reserved in DXSAS 0.8 and does nothing", entry.name),
-                                        .hint = {},
-                                        .sourceLine = {}});
+                                        .text = fmt::format("{} is reserved in DXSAS 0.8 and does nothing", entry.name)});
         commands.push_back(std::move(command));
     }
 

@@ -132,7 +132,7 @@ Result<std::vector<const BoundResource*>> matchResources(const PipelineHandle& p
 }
 
 Result<Scope> checkTargets(const PipelineHandle& pipeline, const Targets& targets, const std::vector<BoundResource>& resources) {
-    Scope scope{.colors = {}, .depth = state(targets.depth)};
+    Scope scope{.depth = state(targets.depth)};
     for (const Texture* color : targets.colors)
         scope.colors.push_back(state(color));
     if (const auto distinct = checkDistinct(pipeline, scope); !distinct) return distinct.error();

@@ -21,7 +21,7 @@ PendingClear& pendingClear(RecorderState& recorder, TextureState& texture) {
     if (attached) endScope(recorder);
     const auto found = std::ranges::find(recorder.clears, &texture, &PendingClear::texture);
     if (found != recorder.clears.end()) return *found;
-    return recorder.clears.emplace_back(PendingClear{.texture = &texture, .color = {}, .depth = {}, .stencil = {}});
+    return recorder.clears.emplace_back(PendingClear{.texture = &texture});
 }
 
 Result<void> checkDepthClear(const TextureState& texture, std::optional<float> depth, std::optional<std::uint32_t> stencil) {

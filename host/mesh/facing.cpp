@@ -122,10 +122,9 @@ std::optional<Diagnostic> facingFault(const Facing& facing, const std::string& f
     const auto warning = [&](int code, std::string text) {
         return Diagnostic{.severity = Severity::Warning,
                           .code = code,
-                          .at = {.file = file, .byte = {}},
+                          .at = {.file = file},
                           .text = std::move(text),
-                          .hint = "effects draw and light their front only: tegument prep MESH --orient -o NEW.glb turns them",
-                          .sourceLine = {}};
+                          .hint = "effects draw and light their front only: tegument prep MESH --orient -o NEW.glb turns them"};
     };
     if (facing.doubled > kDoubled)
         return warning(5334, fmt::format("{:.0f} % of the triangles are there twice, once for each side", 100 * facing.doubled));

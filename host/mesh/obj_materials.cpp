@@ -120,7 +120,7 @@ void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
 
 void useColourSheet(const Source& source, const std::vector<std::string>& pictures, Mesh& mesh) {
     std::vector<std::optional<Image>> images;
-    Image sheet{.width = 1, .height = 1, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image sheet{.width = 1, .height = 1, .channels = 4, .bitsPerChannel = 8};
     for (const std::string& picture : pictures) {
         images.push_back(colourMap(source, objFileIn(source.path.parent_path(), picture), mesh));
         if (!images.back()) continue;

@@ -101,7 +101,7 @@ private:
         warn(mesh_, 5323, source_.whole(),
              fmt::format("no node of the scene refers to the file's {} meshes: all are read, where they are", count));
         for (std::size_t i = 0; i < count; ++i)
-            draws_.push_back({.mesh = i, .nodeName = {}, .carrier = GltfCarrier(unit)});
+            draws_.push_back({.mesh = i, .carrier = GltfCarrier(unit)});
     }
 
     /// In reverse, so that the stack gives them back in the file's order.
@@ -703,8 +703,7 @@ private:
             auto known = std::ranges::find(mesh_.attributes, other.name, &MeshAttribute::name);
             if (known == mesh_.attributes.end())
                 known = mesh_.attributes.insert(
-                    known,
-                    {.name = other.name, .type = other.type, .normalised = other.normalised, .components = other.components, .values = {}});
+                    known, {.name = other.name, .type = other.type, .normalised = other.normalised, .components = other.components});
             if (known->components != other.components || known->type != other.type) continue;
             known->values.resize(before * known->components, 0);
             known->values.insert(known->values.end(), other.values.begin(), other.values.end());

@@ -138,8 +138,7 @@ private:
         for (const std::size_t other : layout.others)
             mesh().attributes.push_back({.name = element.properties[other].name,
                                          .type = element.properties[other].type,
-                                         .normalised = isSmall(element.properties[other].type),
-                                         .values = {}});
+                                         .normalised = isSmall(element.properties[other].type)});
         std::vector<double> row;
         for (std::uint64_t i = 0; i < element.count; ++i) {
             values_.nextRow(element, row);

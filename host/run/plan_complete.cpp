@@ -115,8 +115,7 @@ Result<void> avoidFeedback(DrawStep& draw, const PassUse& use, const Completion&
                  .code = 4024,
                  .at = draw.pass->at,
                  .text = text + ": it reads a copy of what was there before",
-                 .hint = "what a device of Direct3D does then is not defined; draw into a second target and swap the two",
-                 .sourceLine = {}});
+                 .hint = "what a device of Direct3D does then is not defined; draw into a second target and swap the two"});
         draw.copies.emplace(*name, copy);
         steps.emplace_back(CopyStep{.from = *name, .to = copy});
     }
@@ -181,8 +180,7 @@ private:
                  .code = 4026,
                  .at = step.pass->at,
                  .text = fmt::format("pass {} samples {} before anything was drawn into it: it reads zeros", step.pass->name, name),
-                 .hint = "clear the target in the script, or draw into it first",
-                 .sourceLine = {}});
+                 .hint = "clear the target in the script, or draw into it first"});
             addClear(name, with_.shapes.at(name).depth);
         }
         if (with_.shapes.at(name).mips != 1 && stale_.erase(name) > 0) steps.emplace_back(MipStep{name});

@@ -25,7 +25,7 @@ std::vector<std::string> namesOf(const Effect& effect) {
 }
 
 SourcePosition fileOnly(std::string file) {
-    return {.file = std::move(file), .byte = {}};
+    return {.file = std::move(file)};
 }
 
 bool fitsInto(BaseType base, double number) {
@@ -75,8 +75,7 @@ void warnOutside(const Parameter& parameter, const Numbers& value, const SourceP
                         .at = at,
                         .text = fmt::format("{} is set to {}, outside its range {} .. {}", parameter.name, fmt::join(value, ","),
                                             text(minimum), text(maximum)),
-                        .hint = "the effect was tested inside UIMin and UIMax only",
-                        .sourceLine = {}});
+                        .hint = "the effect was tested inside UIMin and UIMax only"});
 }
 
 /// A unit that the matrices are not in makes every length wrong.
@@ -88,8 +87,7 @@ void warnOtherUnit(const Parameter& parameter, const Numbers& value, const Scene
          .at = parameter.at,
          .text = fmt::format("{} is set to {:g}, but one unit of the scene's world is {:g} mm: lengths are {:g} times too long",
                              parameter.name, value.front(), scene.unitMm, value.front() / static_cast<double>(scene.unitMm)),
-         .hint = "leave it out, and say \"world_unit_mm\" in the workspace",
-         .sourceLine = {}});
+         .hint = "leave it out, and say \"world_unit_mm\" in the workspace"});
 }
 
 Error missing(const Parameter& parameter) {

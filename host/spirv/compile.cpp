@@ -98,7 +98,7 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
                 : "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
     if (request.stage == ShaderStage::Compute && !spirv::forgetStorageFormats(raw.words))
-        return inputError(3006, {.file = request.file, .byte = {}}, fmt::format("{} writes textures of several types", request.entry),
+        return inputError(3006, {.file = request.file}, fmt::format("{} writes textures of several types", request.entry),
                           "declare every texture that compute shaders write as RWTexture2D<float4>");
     if (const std::string why = spirv::validate(raw.words); !why.empty()) return invalid(why);
     auto reflection = spirv::reflect(raw.words, request.stage, descriptorSet(request.stage), request.file);

@@ -56,7 +56,7 @@ Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>
     const std::string name = scene.name;
     auto stage = std::make_unique<Stage>(std::move(scene), options);
     if (stage->sample.points.empty())
-        return inputError(8075, {.file = stage->scene.file.string(), .byte = {}}, "the camera sees no skin that could be compared",
+        return inputError(8075, {.file = stage->scene.file.string()}, "the camera sees no skin that could be compared",
                           "move the camera of the workspace, or choose a larger --size");
     stage->light = trueLight(stage->truth, stage->sample, part, progressOf(say, fmt::format("{}: reference", name)));
     for (const Contender& contender : contenders) {
@@ -77,14 +77,10 @@ Row rowOf(const Stage& stage, const Contender& contender, const Contest& contest
             .mapSize = contest.mapSize,
             .shadowSize = contest.shadowSize > 0 ? contest.shadowSize : contest.mapSize,
             .coverage = stage.sample.coverage,
-            .drawn = {},
-            .errors = {},
-            .own = {},
             .referenceId = stage.sample.id,
             .referencePixels = stage.sample.points.size(),
             .samples = stage.sample.grid * stage.sample.grid,
-            .wholeReference = stage.sample.whole,
-            .failure = {}};
+            .wholeReference = stage.sample.whole};
 }
 
 /// Time, bytes and errors of a picture into its row.
@@ -102,8 +98,7 @@ Result<void> judge(Row& row, const Stage& stage, const Result<Drawn>& drawn) {
                  .gross = drawn->gross,
                  .passes = drawn->passes,
                  .bytes = drawn->bytes,
-                 .targetBytes = drawn->targetBytes,
-                 .picture = {}};
+                 .targetBytes = drawn->targetBytes};
     return {};
 }
 
@@ -115,7 +110,7 @@ struct TruthPicture {
 
 TruthPicture truthPicture(const Stage& stage, int width, int height) {
     const auto blank = [&] {
-        Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
+        Image image{.width = width, .height = height, .channels = 3, .pixels = {}};
         image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 0.0F);
         return image;
     };

@@ -48,7 +48,7 @@ const std::vector<std::string>& lightSetNames() {
 }
 
 LightSet lightSet(const std::string& name) {
-    LightSet set{.name = name, .defines = {}};
+    LightSet set{.name = name};
     if (name == "lamps" || name == "both") addLamps(set);
     if (name == "surroundings") {
         addStudio(set, 1);

@@ -125,7 +125,7 @@ std::vector<glm::dvec3> gathered(const Sample& sample, const std::vector<glm::dv
 
 std::vector<glm::dvec3> lightOf(const TruthScene& truth, const Sample& sample, reference::RadialProfile profile, Part part,
                                 const Progress& progress) {
-    reference::BssrdfOptions options{.profile = std::move(profile), .progress = {}};
+    reference::BssrdfOptions options{.profile = std::move(profile)};
     const std::span<const reference::ShadedPoint> points = sample.parts;
     std::vector<glm::dvec3> light(points.size(), glm::dvec3(0));
     for (std::size_t first = 0; first < points.size(); first += kKeptTogether) {
@@ -178,7 +178,7 @@ Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t cou
         ++skin;
         if (seen.neighbours(point).covered) kept.push_back(point);
     }
-    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}, .id = {}, .parts = {}, .partOf = {}};
+    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}};
     for (const reference::ShadedPoint& point : sample.points)
         sample.interior.push_back(seen.neighbours(point).interior ? 1 : 0);
     sample.coverage = static_cast<double>(skin) / (static_cast<double>(truth.camera.width) * truth.camera.height);

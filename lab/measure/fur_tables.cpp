@@ -69,9 +69,7 @@ Chart errorChart(const Settings& settings) {
     Chart chart{.title = "Error of point shells over a flat patch, pixel a quarter of a spacing",
                 .across = "layers",
                 .up = "root mean square error",
-                .acrossTicks = {},
-                .upTicks = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1},
-                .lines = {}};
+                .upTicks = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1}};
     for (const int layers : settings.layers)
         chart.acrossTicks.push_back(layers);
     return chart;
@@ -82,7 +80,7 @@ void addToChart(Chart& chart, const Case& drawn, const std::vector<std::pair<dou
     const auto color = kColors[static_cast<std::size_t>(drawn.coat > 4 ? 3 : 0) + (drawn.tilt > 60 ? 2U : drawn.tilt > 30 ? 1U : 0U)];
     chart.lines.push_back({fmt::format("coat {:g}, {:g} degrees", drawn.coat, drawn.tilt), color, false, points});
     if (drawn.tilt == 0) return;
-    Line predicted{.label = "0.27 H tan t / n", .color = color, .dashed = true, .points = {}};
+    Line predicted{.label = "0.27 H tan t / n", .color = color, .dashed = true};
     for (const double layers : {chart.acrossTicks.front(), chart.acrossTicks.back()})
         predicted.points.emplace_back(layers, law(drawn.coat, drawn.tilt, static_cast<int>(layers)));
     chart.lines.push_back(std::move(predicted));
@@ -149,8 +147,6 @@ RunResult draw(const Stage& stage, const Settings& settings, int size, int layer
                            .height = size,
                            .compiler = defaultCompiler(),
                            .parameters = {{"gFurLayers", {static_cast<double>(layers)}}},
-                           .textures = {},
-                           .dump = {},
                            .warmUpFrames = frames > 1 ? 2 : 0,
                            .frames = frames}));
 }

@@ -47,8 +47,7 @@ struct Stage {
 Effect load(const std::string& file, const Way& way, int mapSize) {
     return need(loadEffect(file, {.defines = {{"TEGUMENT_SETTING", std::to_string(way.setting)},
                                               {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)},
-                                              {"TEGUMENT_SEAM_REPAIR", way.repair ? "1" : "0"}},
-                                  .includeFolders = {}}));
+                                              {"TEGUMENT_SEAM_REPAIR", way.repair ? "1" : "0"}}}));
 }
 
 RunResult draw(const Stage& stage, const Way& way, const Settings& settings, int mapSize, std::vector<std::string> dump = {}) {
@@ -159,7 +158,7 @@ constexpr int kBorder = 3; // texels inside a chart that count as its border: wh
 
 /// White within kBorder texels of a chart's border, black elsewhere, as a file that an effect can load.
 fs::path writeBorders(const Image& irradiance) {
-    Image map{.width = irradiance.width, .height = irradiance.height, .channels = 3, .pixels = {}, .metadata = {}};
+    Image map{.width = irradiance.width, .height = irradiance.height, .channels = 3};
     map.pixels.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height) * 3, 0.0F);
     const auto outside = [&](int x, int y) {
         return x < 0 || y < 0 || x >= map.width || y >= map.height || irradiance.at(x, y, 3) > 0.995F;

@@ -247,7 +247,7 @@ glm::dvec3 FibrePaths::radiance(const glm::dvec3& origin, const glm::dvec3& dire
 void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& sums) const {
     const std::size_t pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
     if (sums.sum.size() != pixels) {
-        sums = {.width = camera.width, .height = camera.height, .samples = 0, .sum = {}, .square = {}, .covered = {}};
+        sums = {.width = camera.width, .height = camera.height, .samples = 0};
         sums.sum.resize(pixels, glm::dvec3(0));
         sums.square.resize(pixels, glm::dvec3(0));
         sums.covered.resize(pixels, 0);
@@ -273,7 +273,7 @@ void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& 
 }
 
 Image FibreSums::picture() const {
-    Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
+    Image image{.width = width, .height = height, .channels = 3};
     image.pixels.reserve(3 * sum.size());
     for (const glm::dvec3& each : sum)
         for (int c = 0; c < 3; ++c)
@@ -310,12 +310,8 @@ std::vector<double> numbersOf(const FibreSums& sums) {
 
 FibreSums sumsOf(const std::vector<double>& numbers) {
     if (numbers.size() < 3) return {};
-    FibreSums sums{.width = static_cast<int>(numbers[0]),
-                   .height = static_cast<int>(numbers[1]),
-                   .samples = static_cast<std::uint64_t>(numbers[2]),
-                   .sum = {},
-                   .square = {},
-                   .covered = {}};
+    FibreSums sums{
+        .width = static_cast<int>(numbers[0]), .height = static_cast<int>(numbers[1]), .samples = static_cast<std::uint64_t>(numbers[2])};
     for (std::size_t i = 3; i + 7 <= numbers.size(); i += 7) {
         sums.sum.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
         sums.square.emplace_back(numbers[i + 3], numbers[i + 4], numbers[i + 5]);

@@ -95,7 +95,7 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
                             &mesh, workspace);
     if (!run) return run.error();
     const double light = run->dumped.at("gIrradianceMap").at(size * 7 / 8, size / 2, 0);
-    DrawnEdge edge{.texel = texel, .phase = phase, .maps = {}};
+    DrawnEdge edge{.texel = texel, .phase = phase};
     for (const char* map : kMaps) {
         std::vector<double> row;
         for (int x = 0; x < size; ++x)

@@ -76,7 +76,7 @@ private:
     }
 
     [[nodiscard]] bool shadowIsTold(const FurFragment& at, bool lit) const {
-        if (at.layer == 0) return !truth.skin.nearShadowEdge({.place = {}, .position = at.position, .normal = at.normal}, kShadowEdge);
+        if (at.layer == 0) return !truth.skin.nearShadowEdge({.position = at.position, .normal = at.normal}, kShadowEdge);
         const double texel = truth.light.footprint(glm::dot(at.position - light.position, truth.light.forward));
         // One texel is looked up, whose centre lies up to half a texel aside, where the skin may be that much nearer to the light.
         constexpr double kAside = 0.55;

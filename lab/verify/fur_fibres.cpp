@@ -116,13 +116,7 @@ reference::FibreLight lightAtPhase(const FibreStage& stage, double phase) {
 }
 
 Result<FibreStage> makeStage(const Context& context, const FibreShape& shape) {
-    FibreStage stage{.skin = shape.mesh,
-                     .furry = shape.mesh,
-                     .roots = {},
-                     .toEye = shape.toEye,
-                     .workspace = worldWorkspace(),
-                     .parameters = {},
-                     .strands = {}};
+    FibreStage stage{.skin = shape.mesh, .furry = shape.mesh, .roots = {}, .toEye = shape.toEye, .workspace = worldWorkspace()};
     const auto radius = static_cast<double>(stage.furry.bounds.radius);
     for (std::size_t i = 0; i < stage.skin.positions.size(); ++i)
         stage.skin.positions[i] += static_cast<float>(kFibreUndercoat * kFibreCoat * radius) * stage.skin.normals[i];
@@ -170,12 +164,10 @@ reference::FibreSums traceStage(const FibreStage& stage, double phase, int size,
     reference::FibreSums sums = reference::sumsOf(loadCachedList<double>(file).value_or(std::vector<double>()));
     if (sums.samples >= samples) return sums;
     const reference::FibrePaths paths({.strands = stage.strands,
-                                       .fibre = {},
                                        .colour = kFibreColours,
                                        .skin = &stage.skin,
                                        .skinColour = kFibreColours,
-                                       .lights = {lightAtPhase(stage, phase)},
-                                       .environment = {}});
+                                       .lights = {lightAtPhase(stage, phase)}});
     const auto radius = static_cast<double>(stage.skin.bounds.radius);
     const glm::dvec3 centre(stage.skin.bounds.centre);
     const reference::Pinhole camera =

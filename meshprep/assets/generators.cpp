@@ -85,7 +85,7 @@ Result<DdsTexture> drawMap(const std::string& generator) {
 Result<RootOptions> hairOptions(const Mesh& mesh) {
     auto hair = hairOfHead(mesh);
     if (!hair)
-        return inputError(4054, {.file = mesh.name, .byte = {}}, "no hair is known for this mesh: it has no part 'eyes' to measure from",
+        return inputError(4054, {.file = mesh.name}, "no hair is known for this mesh: it has no part 'eyes' to measure from",
                           "take the default head, or give roots: tegument fur roots MESH --density-map MAP -o FILE.dds");
     constexpr std::size_t kLocks = 150'000; // if all of the head were scalp; about a third of them is left
     return RootOptions{
@@ -109,7 +109,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
     if (generator == kOcclusionGenerator) return cachedOcclusion(mesh, say);
     const bool roots = growsRoots(generator);
     if (roots && hasRibbons(mesh))
-        return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
+        return inputError(4061, {.file = mesh.name}, "the mesh has strands, and nothing names the roots that they stand on",
                           "tegument fur strands has written them beside the mesh: give that file");
     if (!roots && generator != kCubeMap && generator != kSphereMap)
         return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
@@ -135,15 +135,13 @@ Result<void> check(const std::string& generator, const fs::path& file, const Mes
     const auto texture = loadDds(file);
     if (!texture || texture->isCube()) return {};
     if (const auto other = hasRibbons(mesh) ? whyNotItsRoots(mesh, texture->at(0, 0)) : std::nullopt)
-        return inputError(4061, {.file = file.string(), .byte = {}},
-                          fmt::format("the strands of {} were made from other roots: {}", mesh.name, *other),
+        return inputError(4061, {.file = file.string()}, fmt::format("the strands of {} were made from other roots: {}", mesh.name, *other),
                           "give the roots that they were made from, or make both again: tegument fur strands MESH");
     const auto figures = figuresIn(texture->at(0, 0));
     if (!figures) return {};
     const auto why = whyNotSame(*figures, surfaceFigures(mesh));
     if (!why) return {};
-    return inputError(4055, {.file = file.string(), .byte = {}},
-                      fmt::format("these roots were made for another mesh than {}: {}", mesh.name, *why),
+    return inputError(4055, {.file = file.string()}, fmt::format("these roots were made for another mesh than {}: {}", mesh.name, *why),
                       "leave them out, and they are made; or: tegument fur roots MESH -o FILE.dds");
 }
 

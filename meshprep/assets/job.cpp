@@ -103,7 +103,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     if (!rules) return rules.error();
     Adoption foreign =
         adopted(std::move(*effect), {.bind = *rules, .technique = options.technique, .width = size->first, .height = size->second});
-    Job job{.effect = std::move(foreign.effect), .scene = {}, .run = {}};
+    Job job{.effect = std::move(foreign.effect)};
     job.bindings = std::move(foreign.bindings);
     job.run.technique = options.technique;
     job.run.width = size->first;

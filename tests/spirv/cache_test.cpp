@@ -114,17 +114,15 @@ TEST_F(Cache, a_changed_include_is_compiled_anew) {
 }
 
 TEST_F(Cache, errors_are_not_cached) {
-    EXPECT_FALSE(
-        compileShader({.code = "nonsense", .file = "test.fx", .entry = "PS", .defines = {}, .includeFolders = {}}, Compiler::Glslang));
+    EXPECT_FALSE(compileShader({.code = "nonsense", .file = "test.fx", .entry = "PS"}, Compiler::Glslang));
     EXPECT_TRUE(entries().empty());
 }
 
 TEST_F(Cache, both_compilers_have_entries_of_their_own) {
     if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     (void)compile();
-    ASSERT_TRUE(compileShader(
-        {.code = kCode, .file = "test.fx", .entry = "PS", .stage = ShaderStage::Pixel, .defines = {}, .includeFolders = {folder()}},
-        Compiler::Dxc));
+    ASSERT_TRUE(compileShader({.code = kCode, .file = "test.fx", .entry = "PS", .stage = ShaderStage::Pixel, .includeFolders = {folder()}},
+                              Compiler::Dxc));
     EXPECT_EQ(entries().size(), 2U);
 }
 

@@ -259,27 +259,22 @@ TEST(Text, words_of_a_command_line_come_back_as_they_were) {
 
 TEST(Diagnostics, carry_file_line_column_code_and_hint) {
     const Diagnostic diagnostic{.code = 2004,
-                                .at = {.file = "effects/Main.fx", .line = 41, .column = 12, .byte = {}},
+                                .at = {.file = "effects/Main.fx", .line = 41, .column = 12},
                                 .text = "unknown script command 'RenderColourTarget'",
-                                .hint = "did you mean 'RenderColorTarget'?",
-                                .sourceLine = {}};
+                                .hint = "did you mean 'RenderColorTarget'?"};
     EXPECT_EQ(format(diagnostic),
               "effects/Main.fx(41,12): error TG2004: unknown script command 'RenderColourTarget'; did you mean 'RenderColorTarget'?");
 }
 
 TEST(Diagnostics, put_the_caret_under_the_column_whatever_the_tab_width) {
-    const Diagnostic diagnostic{.severity = Severity::Warning,
-                                .code = 1,
-                                .at = {.file = "a.fx", .line = 2, .column = 4, .byte = {}},
-                                .text = "x",
-                                .hint = {},
-                                .sourceLine = "\tab cd"};
+    const Diagnostic diagnostic{
+        .severity = Severity::Warning, .code = 1, .at = {.file = "a.fx", .line = 2, .column = 4}, .text = "x", .sourceLine = "\tab cd"};
     EXPECT_EQ(format(diagnostic), "a.fx(2,4): warning TG0001: x\n    \tab cd\n    \t  ^");
 }
 
 TEST(Diagnostics, print_no_bytes_that_a_terminal_would_obey) {
     Diagnostic diagnostic{.code = 1101,
-                          .at = {.file = "a.fx", .line = 1, .column = 9, .byte = {}},
+                          .at = {.file = "a.fx", .line = 1, .column = 9},
                           .text = "found '\x1b[31m'",
                           .hint = "\xe4\xff \xc0\xaf",
                           .sourceLine = "fl\xc3\xb6\x07\x7f\x80 x"};

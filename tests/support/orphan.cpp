@@ -8,7 +8,7 @@
 
 int main() {
     std::thread([] {
-        auto child = tegument::BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}, .environment = {}});
+        auto child = tegument::BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}});
         if (!child) return;
         std::puts(child->readLine(20).value_or("nothing").c_str());
         std::fflush(stdout);

@@ -16,7 +16,7 @@ namespace tegument::test {
 namespace {
 
 Result<ProcessResult> shell(const std::string& script, double timeoutSeconds = 20) {
-    return runProcess({.arguments = {"sh", "-c", script}, .environment = {}}, timeoutSeconds);
+    return runProcess({.arguments = {"sh", "-c", script}}, timeoutSeconds);
 }
 
 /// One letter of the system: R runs, S sleeps, Z has ended and nobody has waited for it; 0: there is no such process.
@@ -50,7 +50,7 @@ struct Background {
 };
 
 Background background(const std::string& script) {
-    auto started = BackgroundProcess::start({.arguments = {"sh", "-c", script}, .environment = {}});
+    auto started = BackgroundProcess::start({.arguments = {"sh", "-c", script}});
     EXPECT_TRUE(started) << format(started.error());
     Background result{.process = std::move(*started)};
     result.id = std::stoi(result.process.readLine(20).value_or("0"));
@@ -67,7 +67,7 @@ TEST(Process, output_and_exit_code_come_back) {
 }
 
 TEST(Process, arguments_reach_the_program_as_they_are) {
-    const auto result = runProcess({.arguments = {"printf", "%s|", "a b", "$HOME", "\"q\"", ""}, .environment = {}}, 20);
+    const auto result = runProcess({.arguments = {"printf", "%s|", "a b", "$HOME", "\"q\"", ""}}, 20);
     ASSERT_TRUE(result) << format(result.error());
     EXPECT_EQ(result->output, "a b|$HOME|\"q\"||");
 }
@@ -151,7 +151,7 @@ TEST(Process, signals_that_the_caller_lets_through_reach_the_program) {
 }
 
 TEST(Process, a_missing_program_is_an_error_that_names_it) {
-    const auto result = runProcess({.arguments = {"tegument-no-such-program"}, .environment = {}}, 20);
+    const auto result = runProcess({.arguments = {"tegument-no-such-program"}}, 20);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().blame, Blame::Machine);
     EXPECT_EQ(result.error().diagnostics[0].code, 5003);
@@ -163,21 +163,21 @@ TEST(Process, a_folder_is_no_program) {
 }
 
 TEST(BackgroundProcess, its_lines_can_be_read_while_it_runs) {
-    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo first; sleep 60"}, .environment = {}});
+    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo first; sleep 60"}});
     ASSERT_TRUE(process) << format(process.error());
     EXPECT_EQ(process->readLine(20), "first");
     EXPECT_TRUE(process->running());
 }
 
 TEST(BackgroundProcess, lines_that_come_together_are_read_one_by_one) {
-    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "printf 'first\\nsecond\\n'; sleep 60"}, .environment = {}});
+    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "printf 'first\\nsecond\\n'; sleep 60"}});
     ASSERT_TRUE(process) << format(process.error());
     EXPECT_EQ(process->readLine(20), "first");
     EXPECT_EQ(process->readLine(20), "second");
 }
 
 TEST(BackgroundProcess, a_silent_one_gives_no_line) {
-    auto process = BackgroundProcess::start({.arguments = {"sleep", "60"}, .environment = {}});
+    auto process = BackgroundProcess::start({.arguments = {"sleep", "60"}});
     ASSERT_TRUE(process) << format(process.error());
     EXPECT_FALSE(process->readLine(0.1));
 }
@@ -185,7 +185,7 @@ TEST(BackgroundProcess, a_silent_one_gives_no_line) {
 TEST(BackgroundProcess, destruction_ends_it) {
     pid_t id = 0;
     {
-        auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}, .environment = {}});
+        auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}});
         ASSERT_TRUE(process) << format(process.error());
         id = std::stoi(process->readLine(20).value_or("0"));
         ASSERT_GT(id, 0);
@@ -201,7 +201,7 @@ TEST(BackgroundProcess, outlives_the_thread_that_started_it) {
 }
 
 TEST(BackgroundProcess, ends_with_the_process_that_started_it) {
-    const auto orphan = runProcess({.arguments = {TEGUMENT_ORPHAN}, .environment = {}}, 30);
+    const auto orphan = runProcess({.arguments = {TEGUMENT_ORPHAN}}, 30);
     ASSERT_TRUE(orphan) << format(orphan.error());
     ASSERT_EQ(orphan->exitCode, 128 + SIGKILL) << orphan->output;
     const pid_t id = std::stoi(orphan->output);

@@ -18,13 +18,7 @@ class Listings {
 public:
     void add(std::string_view shader) {
         if (!jobs_.emplace(shader, list_.size()).second) return;
-        list_.push_back({.profile = "listing",
-                         .entry = {},
-                         .source = {},
-                         .defines = {},
-                         .output = {},
-                         .includeFolders = {},
-                         .shader = std::string(shader)});
+        list_.push_back({.profile = "listing", .shader = std::string(shader)});
     }
 
     Result<void> run() {
@@ -59,8 +53,7 @@ void warnOfSlots(const ShaderReference& shader, int slots, bool vertex, TargetCh
                                   .at = shader.at,
                                   .text = fmt::format("{} takes {} instruction slots: {} promises 512, and devices may have up to 32768",
                                                       shader.entry, slots, vertex ? "vs_3_0" : "ps_3_0"),
-                                  .hint = "split the pass where every device shall draw it",
-                                  .sourceLine = {}});
+                                  .hint = "split the pass where every device shall draw it"});
 }
 
 void holdAgainstLimits(const ShaderReference& shader, const Sm3Usage& usage, bool vertex, bool own, TargetCheck& report) {

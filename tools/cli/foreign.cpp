@@ -42,12 +42,11 @@ std::optional<Diagnostic> plainPictureNote(const Image& image, const std::string
     const bool black = std::ranges::all_of(high, [](float value) { return value < kLeast; });
     return Diagnostic{.severity = Severity::Warning,
                       .code = 4070,
-                      .at = {.file = effect, .byte = {}},
+                      .at = {.file = effect},
                       .text = black ? std::string("the picture is black")
                                     : fmt::format("the picture is one colour, ({:.2f}, {:.2f}, {:.2f})", high[0], high[1], high[2]),
                       .hint = numbers ? "look at what the parameters got: --bind NAME=RULE and --set NAME=VALUE change it"
-                                      : "the shader computes numbers that are not finite",
-                      .sourceLine = {}};
+                                      : "the shader computes numbers that are not finite"};
 }
 
 } // namespace tegument::app

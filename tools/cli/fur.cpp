@@ -237,7 +237,7 @@ Result<Posed> pose(const PoseArguments& arguments) {
     if (!posed) return posed.error();
     auto roots = loadRootTexture(arguments.roots);
     if (!roots) return roots.error();
-    Posed found{.seats = {}, .skin = skinOf(*rest, *posed), .roots = *std::move(roots), .pose = {}};
+    Posed found{.skin = skinOf(*rest, *posed), .roots = *std::move(roots)};
     auto seats = seatsOfRoots(found.skin, found.roots);
     if (!seats) return seats.error();
     found.seats = *std::move(seats);
@@ -455,8 +455,7 @@ int several(const TextureArguments& arguments) {
     const int count = static_cast<int>(range->last - range->first + 1);
     const int side = std::min(arguments.size, kLargestThumbnail);
     const int rows = (count + kColumns - 1) / kColumns;
-    Image sheet{
-        .width = kColumns * (side + kGap) - kGap, .height = rows * (side + kGap) - kGap, .channels = 3, .pixels = {}, .metadata = {}};
+    Image sheet{.width = kColumns * (side + kGap) - kGap, .height = rows * (side + kGap) - kGap, .channels = 3};
     sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, 1.0F);
 
     std::vector<StrandStatistics> figures;

@@ -58,11 +58,9 @@ std::vector<Diagnostic> unreadValues(const std::vector<std::string>& sets, const
             if (technique.name != drawn.technique && reads(effect, technique, name)) others.push_back(technique.name);
         warnings.push_back({.severity = Severity::Warning,
                             .code = 8029,
-                            .at = {},
                             .text = fmt::format("--set {} changes nothing: {} does not read {}", set, drawn.technique, name),
                             .hint = others.empty() ? fmt::format("no technique of {} does", effect.file.filename().string())
-                                                   : fmt::format("these do: -t {}", fmt::join(others, ", ")),
-                            .sourceLine = {}});
+                                                   : fmt::format("these do: -t {}", fmt::join(others, ", "))});
     }
     return warnings;
 }

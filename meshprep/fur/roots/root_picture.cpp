@@ -98,7 +98,7 @@ void drawStrand(View& view, const Root& root, double coat, const glm::dmat3& toV
 } // namespace
 
 Image drawRoots(const Mesh& mesh, const RootSet& set, double furLength, int side) {
-    Image picture{.width = kViews * side, .height = side, .channels = 3, .pixels = {}, .metadata = {}};
+    Image picture{.width = kViews * side, .height = side, .channels = 3};
     picture.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(side) * 3, 1.0F);
     const double coat = furLength * set.ballRadius;
     for (int i = 0; i < kViews; ++i) {

@@ -271,7 +271,7 @@ TEST_F(Comparison, references_in_parts_are_a_whole) {
 TEST_F(Comparison, a_second_run_confirms_the_pick) {
     const auto rows = run({"Lambert", "Gosselin", "DEonLuebke"}, {"corrected"});
     const double limit = 0.02;
-    const auto chosen = pick(rows, {.error = limit, .milliseconds = {}});
+    const auto chosen = pick(rows, {.error = limit});
     ASSERT_TRUE(chosen);
     const Contender& contender = rows[*chosen].contender;
     const auto again = run({contender.name()}, {contender.setting});

@@ -69,7 +69,7 @@ int codeOf(const Error& error) {
 
 TEST(LightSet, of_lamps_is_what_effects_have_by_default) {
     const LightSet set = lightSet("lamps");
-    const auto effect = loadEffect("effects/Pyramid.fx", {.defines = set.defines, .includeFolders = {}});
+    const auto effect = loadEffect("effects/Pyramid.fx", {.defines = set.defines});
     ASSERT_TRUE(effect) << format(effect.error());
     for (const auto& [name, values] : set.parameters) {
         const auto parameter = std::ranges::find(effect->parameters, name, &Parameter::name);

@@ -34,14 +34,14 @@ Sample everyPixel() {
     Sample sample;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
-            sample.points.push_back({.x = x, .y = y, .point = {}});
+            sample.points.push_back({.x = x, .y = y});
             sample.interior.push_back(x < kSide / 2 ? 1 : 0);
         }
     return sample;
 }
 
 Image grey(float value) {
-    Image image{.width = kSide, .height = kSide, .channels = 4, .pixels = {}, .metadata = {}};
+    Image image{.width = kSide, .height = kSide, .channels = 4};
     image.pixels.assign(kSide * kSide * 4, value);
     return image;
 }
@@ -139,12 +139,8 @@ TEST(Errors, of_what_is_not_finite_are_an_error) {
 }
 
 TEST(Textures, halves_are_means_of_light_not_of_its_encoding) {
-    const Image image{.width = 2,
-                      .height = 2,
-                      .channels = 4,
-                      .pixels = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1},
-                      .bitsPerChannel = 8,
-                      .metadata = {}};
+    const Image image{
+        .width = 2, .height = 2, .channels = 4, .pixels = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}, .bitsPerChannel = 8};
     const Image half = halved(image, MeanOf::Light);
     ASSERT_EQ(half.width, 1);
     EXPECT_NEAR(half.at(0, 0, 0), 0.7354, 1e-3) << "sRGB of 1/2";

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMapSize = 1280; // 32 texels a spacing
-constexpr double kSkin = 0.05; // what drawPatch draws, as albedo of the skin ...
+constexpr double kSkin = 0.05; // what exact rays show (truth), as albedo of the skin ...
 constexpr double kRoot = 0.15; // ... and of strands, which the map's colour makes brighter than the skin
 constexpr double kTip = 1;
 

@@ -1,7 +1,7 @@
 #include "lab/bench/traffic.h"
 
 #include "host/run/stage.h"
-#include "host/spirv/count.h"
+#include "lab/bench/count.h"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 
 #include "host/support/cache.h"
 #include "host/support/parallel.h"
+#include "lab/reference/tissue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,21 +20,6 @@ constexpr double kFarthestStep = 1e30;
 constexpr double kShortestStep = 2e-4; // mm: a border between layers is known so well
 constexpr double kLongestWay = 400;    // mm: what has gone so far is given up, for without absorption a photon may stay for ever
 constexpr double kInset = 2e-5;        // mm below the surface: rays start in 32-bit floats
-
-/// Unpolarised light from index `from` into `to`; nothing passes where `cosine` of the other side is 0.
-struct FresnelShare {
-    double mirrored = 1;
-    double cosine = 0;
-};
-FresnelShare fresnelShare(double from, double to, double cosine) {
-    const double eta = from / to;
-    const double sine2 = eta * eta * (1 - cosine * cosine);
-    if (sine2 >= 1) return {};
-    const double other = std::sqrt(1 - sine2);
-    const double s = (from * cosine - to * other) / (from * cosine + to * other);
-    const double p = (from * other - to * cosine) / (from * other + to * cosine);
-    return {0.5 * (s * s + p * p), other};
-}
 
 class Walk {
 public:

@@ -27,7 +27,7 @@ set(public_headers
     host/mesh/mesh.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
     host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h
     host/run/session.h host/run/session_frame.h
-    meshprep/assets/cache.h meshprep/assets/effect_options.h meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
+    meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
     meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h meshprep/portrait/head_pose.h meshprep/portrait/portrait.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)

@@ -1,6 +1,7 @@
 #include "meshprep/assets/cached_links.h"
 
 #include "host/image/dds.h"
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "meshprep/fur/roots/fur_surface.h"
 #include "meshprep/skin/link_cells.h"

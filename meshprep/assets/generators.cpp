@@ -2,6 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/mesh/mesh.h"
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "meshprep/assets/cached_links.h"
 #include "meshprep/assets/strand_passes.h"
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 namespace tegument::assets {
@@ -150,6 +152,17 @@ bool named(const std::map<std::string, std::string>& textures, const std::string
 }
 
 } // namespace
+
+Result<fs::path> cachedDds(const std::string& folder, const std::string& name, const std::string& what, const Say& say,
+                           const std::function<Result<void>(const fs::path&)>& make) {
+    const fs::path file = cacheFolder() / folder / "made" / (name + ".dds");
+    if (isWholeDds(file)) return file;
+    const auto start = std::chrono::steady_clock::now();
+    if (const auto made = make(file); !made) return made.error();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (say) say(fmt::format("made {} in {:.1f} s: {}", what, seconds, file.string()));
+    return file;
+}
 
 MeshAssets meshAssets(Say say) {
     const auto strands = std::make_shared<StrandPasses>();

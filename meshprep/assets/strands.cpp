@@ -2,7 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/run/parts.h"
-#include "host/support/file.h"
+#include "host/support/cache.h"
 #include "meshprep/fur/ribbons/pose.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/fur/roots/head_hair.h"

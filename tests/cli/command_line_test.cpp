@@ -309,12 +309,9 @@ TEST(Output, of_a_kind_that_is_not_written_is_refused_by_its_name) {
     static_cast<void>(ballWorkspace());
     const std::string grey = out("grey.png");
     const std::vector<std::pair<std::string, std::vector<std::string>>> all = {
-        {"TG8024", {"fur", "roots", ballMesh(), "-o", out("z.png")}},
-        {"TG8024", {"prep", "shape", "cube", "-o", out("z.glb")}},
-        {"TG8024", {"compare", grey, grey, "-o", out("z.exr")}},
-        {"TG8032", {"sheet", grey, "-o", out("z.gif")}},
-        {"TG8042", {"prep", ballMesh(), "-o", out("z.obj")}},
-        {"TG8016", {"render", quad(), "-o", out("z.gif")}},
+        {"TG8024", {"fur", "roots", ballMesh(), "-o", out("z.png")}}, {"TG8024", {"prep", "shape", "cube", "-o", out("z.glb")}},
+        {"TG8024", {"compare", grey, grey, "-o", out("z.exr")}},      {"TG8032", {"sheet", grey, "-o", out("z.gif")}},
+        {"TG8042", {"prep", ballMesh(), "-o", out("z.obj")}},         {"TG8016", {"render", quad(), "-o", out("z.gif")}},
     };
     for (const auto& [code, arguments] : all)
         expectSaid(tegument(arguments), kUsage, {code});

@@ -1,9 +1,9 @@
 #include "meshprep/fur/roots/root_maps.h"
 
-#include "host/mesh/vertex_values.h"
 #include "host/mesh/welding.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/fur/roots/vertex_values.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "host/mesh/vertex_values.h"
+#include "meshprep/fur/roots/vertex_values.h"
 
 #include "host/image/image.h"
 #include "host/mesh/ply_values.h"

@@ -185,7 +185,7 @@ Result<DdsTexture> decode(const Encoded& in) {
 } // namespace
 
 bool isDds(std::span<const std::byte> bytes) {
-    return bytes.size() >= 4 && word({.bytes = bytes}, dds::kMagic) == dds::kMagicWord;
+    return bytes.size() >= 4 && word({.bytes = bytes, .name = {}}, dds::kMagic) == dds::kMagicWord;
 }
 
 Result<DdsTexture> decodeDds(std::span<const std::byte> bytes, const std::string& nameForMessages) {

@@ -101,8 +101,7 @@ private:
     /// An error; where reading is lenient a warning.
     void refuse(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
         if (!lenient_) return fail(code, at, std::move(text), std::move(hint));
-        effect_.warnings.push_back(
-            {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint)});
+        effect_.warnings.push_back(inputWarning(code, at, std::move(text), std::move(hint)));
     }
 
     void fail(int code, const SourcePosition& at, std::string text, std::string hint = {}) {

@@ -127,8 +127,7 @@ bool Parser::unexpected(std::string_view expected) {
 }
 
 void Parser::warn(int code, const SourcePosition& at, std::string text, std::string hint) {
-    result_.effect.warnings.push_back(
-        {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint)});
+    result_.effect.warnings.push_back(inputWarning(code, at, std::move(text), std::move(hint)));
 }
 
 bool Parser::full() const {

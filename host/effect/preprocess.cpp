@@ -568,8 +568,7 @@ private:
     }
 
     void warn(int code, const Token& at, std::string text, std::string hint = {}) {
-        result_.warnings.push_back(
-            {.severity = Severity::Warning, .code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint)});
+        result_.warnings.push_back(inputWarning(code, sources_.position(at), std::move(text), std::move(hint)));
     }
 
     bool process(int file, int depth) {

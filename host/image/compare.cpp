@@ -85,8 +85,7 @@ Result<Difference> compareImages(const Image& image, const Image& reference, dou
 
 Image differenceImage(const Image& image, const Image& reference) {
     const double mean = meanOf(reference);
-    Image difference{.width = image.width, .height = image.height, .channels = 3};
-    difference.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
+    Image difference = plainImage(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < comparedChannels(image); ++c)

@@ -15,6 +15,12 @@
 
 namespace tegument {
 
+Image plainImage(int width, int height, int channels, float value) {
+    Image image{.width = width, .height = height, .channels = channels};
+    image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels), value);
+    return image;
+}
+
 namespace codec {
 
 Error truncated(const Encoded& in, std::size_t byte, const std::string& detail) {

@@ -219,12 +219,10 @@ std::optional<double> likelyUnit(const Bounds& bounds, double unitMm) {
 
 Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, double unitMm, double likely) {
     const double side = greatestSide(bounds);
-    return {.severity = Severity::Warning,
-            .code = 5327,
-            .at = {.file = path.string()},
-            .text = fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
-                                lengthText(side), likely, lengthText(side / unitMm * likely)),
-            .hint = "effects have true sizes: say what one unit of the file is with --unit-mm X"};
+    return inputWarning(5327, {.file = path.string()},
+                        fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
+                                    lengthText(side), likely, lengthText(side / unitMm * likely)),
+                        "effects have true sizes: say what one unit of the file is with --unit-mm X");
 }
 
 Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options) {

@@ -205,11 +205,9 @@ Result<void> checkNumbers(const RunInput& input, const Prepared& prepared) {
 void warnUneven(const RunInput& input, Prepared& prepared) {
     if (!input.placed || isEvenlyScaled(input.placed->placement)) return;
     const glm::vec3& scale = input.placed->placement.scale;
-    prepared.warnings.push_back({.severity = Severity::Warning,
-                                 .code = 4053,
-                                 .at = {.file = input.effect.file.string()},
-                                 .text = fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
-                                 .hint = "maps that were made of the mesh keep its own measures: scale the mesh before they are made"});
+    prepared.warnings.push_back(inputWarning(4053, {.file = input.effect.file.string()},
+                                             fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
+                                             "maps that were made of the mesh keep its own measures: scale the mesh before they are made"));
 }
 
 /// Techniques that are gone leave their names to those that draw in their place.
@@ -217,10 +215,7 @@ void warnOfFormerName(const RunInput& input, Prepared& prepared) {
     const std::string& asked = input.options.technique;
     const Technique* drawn = asked.empty() ? nullptr : input.effect.findTechnique(asked);
     if (drawn == nullptr || equalsIgnoreCase(drawn->name, asked)) return;
-    prepared.warnings.push_back({.severity = Severity::Warning,
-                                 .code = 4082,
-                                 .at = drawn->at,
-                                 .text = fmt::format("technique {} is gone: {} is drawn", asked, drawn->name)});
+    prepared.warnings.push_back(inputWarning(4082, drawn->at, fmt::format("technique {} is gone: {} is drawn", asked, drawn->name)));
 }
 
 void gatherReads(Prepared& prepared) {

@@ -79,12 +79,10 @@ void warnOutside(const Parameter& parameter, const Image& image, std::vector<Dia
         beyond += static_cast<double>(image.pixels[i * channels]) > most->front() + kByte ? 1 : 0;
     if (beyond == 0) return;
     warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4034,
-         .at = parameter.at,
-         .text = fmt::format("{:.2f} % of the texels of {} are above {:g}",
-                             100.0 * static_cast<double>(beyond) / static_cast<double>(count), parameter.name, most->front()),
-         .hint = parameter.annotations.string("UIHelp").value_or("the effect was tested up to UIMax only")});
+        inputWarning(4034, parameter.at,
+                     fmt::format("{:.2f} % of the texels of {} are above {:g}",
+                                 100.0 * static_cast<double>(beyond) / static_cast<double>(count), parameter.name, most->front()),
+                     parameter.annotations.string("UIHelp").value_or("the effect was tested up to UIMax only")));
 }
 
 /// What a look-up compares with is a depth: the first channel, in the one format that every device compares and the host can fill. Other
@@ -134,11 +132,9 @@ std::string originOf(const TextureSource& source) {
 Diagnostic notLoaded(const Parameter& parameter, const Error& error, const std::string& standIn) {
     const std::string why = error.diagnostics.empty() ? std::string("it cannot be read") : error.diagnostics.front().text;
     const std::string name = parameter.annotations.string("ResourceName").value_or("");
-    return {.severity = Severity::Warning,
-            .code = 4031,
-            .at = parameter.at,
-            .text = fmt::format("{}, the texture of {}: {}; a plain picture, {}, stands in", name, parameter.name, why, standIn),
-            .hint = fmt::format("convert it to PNG and give that: --set {}=FILE", parameter.name)};
+    return inputWarning(4031, parameter.at,
+                        fmt::format("{}, the texture of {}: {}; a plain picture, {}, stands in", name, parameter.name, why, standIn),
+                        fmt::format("convert it to PNG and give that: --set {}=FILE", parameter.name));
 }
 
 Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& source, bool mips, std::vector<Diagnostic>& warnings) {
@@ -221,24 +217,21 @@ void paint(const RunInput& input, const Parameter& parameter, TextureSource& sou
     if (!constant || !skin || !equalsIgnoreCase(parameter.semantic, "DIFFUSE")) return;
     *constant = *skin;
     const bool coloured = input.mesh && !input.mesh->colors.empty();
-    warnings.push_back({.severity = Severity::Warning,
-                        .code = 4056,
-                        .at = {.file = input.mesh ? input.mesh->name : input.effect.file.string()},
-                        .text = fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g}){}", (*skin)[0], (*skin)[1],
-                                            (*skin)[2], coloured ? ", and the colours of the mesh's vertices are not drawn" : ""),
-                        .hint = fmt::format("{}--set {}=FILE gives one", coloured ? "bake them into a picture: " : "", parameter.name)});
+    warnings.push_back(
+        inputWarning(4056, {.file = input.mesh ? input.mesh->name : input.effect.file.string()},
+                     fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g}){}", (*skin)[0], (*skin)[1], (*skin)[2],
+                                 coloured ? ", and the colours of the mesh's vertices are not drawn" : ""),
+                     fmt::format("{}--set {}=FILE gives one", coloured ? "bake them into a picture: " : "", parameter.name)));
 }
 
 /// A texture that a library would make from the mesh, and a constant stands in: fur would be bald, and skin without its links.
 void warnOfNothingMade(const RunInput& input, const Parameter& parameter, const TextureSource& source, std::vector<Diagnostic>& warnings) {
     const auto generator = parameter.annotations.string("Generator");
     if (!generator || !input.mesh || input.options.assets.make || !std::holds_alternative<ConstantSource>(source)) return;
-    warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4080,
-         .at = parameter.at,
-         .text = fmt::format("nothing makes {} ('{}') for {}: a constant stands in for it", parameter.name, *generator, input.mesh->name),
-         .hint = "set RunOptions::assets (Tegument::assets has meshAssets()), or give a file"});
+    warnings.push_back(inputWarning(
+        4080, parameter.at,
+        fmt::format("nothing makes {} ('{}') for {}: a constant stands in for it", parameter.name, *generator, input.mesh->name),
+        "set RunOptions::assets (Tegument::assets has meshAssets()), or give a file"));
 }
 
 Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, Prepared& prepared) {

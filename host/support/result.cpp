@@ -83,6 +83,10 @@ std::string format(const Error& error) {
     return text;
 }
 
+Diagnostic inputWarning(int code, SourcePosition at, std::string text, std::string hint) {
+    return {.severity = Severity::Warning, .code = code, .at = std::move(at), .text = std::move(text), .hint = std::move(hint)};
+}
+
 Error inputError(int code, SourcePosition at, std::string text, std::string hint) {
     return single(Blame::Input, code, std::move(at), std::move(text), std::move(hint));
 }

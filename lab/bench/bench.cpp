@@ -109,12 +109,7 @@ struct TruthPicture {
 };
 
 TruthPicture truthPicture(const Stage& stage, int width, int height) {
-    const auto blank = [&] {
-        Image image{.width = width, .height = height, .channels = 3, .pixels = {}};
-        image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 0.0F);
-        return image;
-    };
-    TruthPicture picture{blank(), blank()};
+    TruthPicture picture{plainImage(width, height, 3), plainImage(width, height, 3)};
     for (std::size_t i = 0; i < stage.sample.points.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             const reference::ShadedPoint& point = stage.sample.points[i];

@@ -83,9 +83,7 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
 
 /// Each pixel the mean of `side` x `side`.
 Image meanOfBlocks(const Image& fine, int side) {
-    Image mean{.width = fine.width / side, .height = fine.height / side, .channels = fine.channels};
-    mean.pixels.assign(
-        static_cast<std::size_t>(mean.width) * static_cast<std::size_t>(mean.height) * static_cast<std::size_t>(mean.channels), 0.0F);
+    Image mean = plainImage(fine.width / side, fine.height / side, fine.channels);
     const float share = 1.0F / static_cast<float>(side * side);
     for (int y = 0; y < mean.height * side; ++y)
         for (int x = 0; x < mean.width * side; ++x)

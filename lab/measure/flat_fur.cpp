@@ -25,9 +25,7 @@ fs::path mapFile(const fs::path& folder) {
 
 /// All of it is `value`.
 Image evenFace(int size, double value) {
-    Image image{.width = size, .height = size, .channels = 4};
-    image.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, static_cast<float>(value));
-    return image;
+    return plainImage(size, size, 4, static_cast<float>(value));
 }
 
 /// Seen from the middle of a cube whose +Z face is the patch, directions are places on it.

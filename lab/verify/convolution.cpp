@@ -29,7 +29,7 @@ Map mapFrom(const Image& image) {
 }
 
 Image imageFrom(const Map& map, int channels) {
-    Image image = blank(map.size, map.size, channels);
+    Image image = plainImage(map.size, map.size, channels);
     for (int y = 0; y < map.size; ++y)
         for (int x = 0; x < map.size; ++x)
             for (int c = 0; c < channels; ++c)

@@ -165,7 +165,7 @@ struct Drawn {
 /// The reference's picture, and the pixels in which it has a say.
 Drawn drawReference(const View& view, const Part& part, const Maps& maps, const glm::dvec3& background) {
     const int size = view.truth.camera.width;
-    Drawn drawn{.picture = blank(size, size, 3)};
+    Drawn drawn{.picture = plainImage(size, size, 3)};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             glm::dvec3 sum = background;

@@ -96,7 +96,7 @@ ExactPicture drawExact(const FurWindow& window, const VerifyOptions& options) {
     const Sight sight(window, own);
     const auto width = static_cast<std::size_t>(window.size);
     const std::size_t pixels = width * static_cast<std::size_t>(heightOf(window));
-    ExactPicture exact{.picture = blank(window.size, heightOf(window), 3),
+    ExactPicture exact{.picture = plainImage(window.size, heightOf(window), 3),
                        .counts = std::vector<std::uint8_t>(pixels),
                        .covered = std::vector<std::uint8_t>(pixels)};
     forEachInParallel(pixels, [&](std::size_t pixel) {

@@ -186,7 +186,7 @@ Result<Image> drawStage(const Context& context, const FibreStage& stage, double 
     workspace.light.direction = glm::vec3(-lightAtPhase(stage, phase).place);
     const auto run = renderStage(context, stage, workspace, "CoatChance", kFibreFiner * size, {});
     if (!run) return run.error();
-    Image mean = blank(size, size, 3);
+    Image mean = plainImage(size, size, 3);
     for (int y = 0; y < kFibreFiner * size; ++y)
         for (int x = 0; x < kFibreFiner * size; ++x)
             for (int c = 0; c < 3; ++c)

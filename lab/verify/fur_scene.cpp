@@ -152,7 +152,7 @@ std::map<std::string, std::vector<double>> parametersOf(const reference::FurCoat
 Image furPattern(int size, int seed) {
     constexpr int kCell = 4; // texels
     constexpr double kRadius = 3;
-    Image image = blank(size, size, 4);
+    Image image = plainImage(size, size, 4);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             double height = 0;

@@ -87,7 +87,7 @@ std::vector<std::uint8_t> farFromBorders(const PyramidScene& at, double reach) {
 
 /// One column of an image of the sampled texels.
 Image rowOf(std::size_t count) {
-    return blank(static_cast<int>(count), 1, 3);
+    return plainImage(static_cast<int>(count), 1, 3);
 }
 
 /// Light of the chosen Gaussians at texels, by brute force.

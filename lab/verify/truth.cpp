@@ -105,7 +105,7 @@ bool thicknessIsKnown(const Truth& truth, const reference::SurfacePoint& point) 
 }
 
 Image rgb(const Image& image) {
-    Image three = blank(image.width, image.height, 3);
+    Image three = plainImage(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < 3; ++c)
@@ -114,7 +114,7 @@ Image rgb(const Image& image) {
 }
 
 Image channel(const Image& image, int which) {
-    Image one = blank(image.width, image.height, 1);
+    Image one = plainImage(image.width, image.height, 1);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             one.at(x, y, 0) = image.at(x, y, which);

@@ -116,10 +116,4 @@ double shareApart(const std::vector<std::uint8_t>& counts, const std::vector<std
     return all == 0 ? 0 : static_cast<double>(apart) / static_cast<double>(all);
 }
 
-Image blank(int width, int height, int channels) {
-    Image image{.width = width, .height = height, .channels = channels};
-    image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels), 0.0F);
-    return image;
-}
-
 } // namespace tegument::verify

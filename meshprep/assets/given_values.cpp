@@ -214,11 +214,8 @@ Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const
     std::vector<Diagnostic> warnings;
     for (const std::string& name : unknown) {
         const std::string near = didYouMean(name, parameterNames(effect));
-        warnings.push_back({.severity = Severity::Warning,
-                            .code = 8018,
-                            .at = at,
-                            .text = fmt::format("no effect has a parameter '{}': it is passed over", name),
-                            .hint = near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near});
+        warnings.push_back(inputWarning(8018, at, fmt::format("no effect has a parameter '{}': it is passed over", name),
+                                        near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near));
     }
     return warnings;
 }

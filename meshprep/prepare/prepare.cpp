@@ -416,11 +416,7 @@ private:
     }
 
     void warn(int code, std::string text, std::string hint = {}) {
-        report_.warnings.push_back({.severity = Severity::Warning,
-                                    .code = code,
-                                    .at = {.file = path_.string()},
-                                    .text = std::move(text),
-                                    .hint = std::move(hint)});
+        report_.warnings.push_back(inputWarning(code, {.file = path_.string()}, std::move(text), std::move(hint)));
     }
 
     void cutUp() {

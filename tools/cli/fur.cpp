@@ -455,8 +455,7 @@ int several(const TextureArguments& arguments) {
     const int count = static_cast<int>(range->last - range->first + 1);
     const int side = std::min(arguments.size, kLargestThumbnail);
     const int rows = (count + kColumns - 1) / kColumns;
-    Image sheet{.width = kColumns * (side + kGap) - kGap, .height = rows * (side + kGap) - kGap, .channels = 3};
-    sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, 1.0F);
+    Image sheet = plainImage(kColumns * (side + kGap) - kGap, rows * (side + kGap) - kGap, 3, 1.0F);
 
     std::vector<StrandStatistics> figures;
     std::vector<std::vector<std::string>> lines;

@@ -380,10 +380,7 @@ void warnOfLost(const prep::Prepared& prepared, const std::string& output) {
     add(materials.size(), "materials");
     add(mesh.materials.images.size(), "pictures");
     if (lost.empty()) return;
-    warn({{.severity = Severity::Warning,
-           .code = 5331,
-           .text = fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost),
-           .hint = "write a glb to keep them"}});
+    warn({inputWarning(5331, {}, fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost), "write a glb to keep them")});
 }
 
 /// The folders that writing will create, the outermost one.

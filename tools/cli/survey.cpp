@@ -68,7 +68,7 @@ Result<Found> effectsIn(const fs::path& folder) {
         if (!error) continue;
         const std::string text = fmt::format("cannot read the folder {}: {}", here.string(), error.message());
         if (here == folder) return usageError(8006, text);
-        found.unread.push_back({.severity = Severity::Warning, .code = 8006, .text = text, .hint = "the effects below it are left out"});
+        found.unread.push_back(inputWarning(8006, {}, text, "the effects below it are left out"));
     }
     if (found.effects.empty())
         return usageError(8006, fmt::format("there is no effect below the folder {}", folder.string()),

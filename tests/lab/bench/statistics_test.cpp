@@ -41,9 +41,7 @@ Sample everyPixel() {
 }
 
 Image grey(float value) {
-    Image image{.width = kSide, .height = kSide, .channels = 4};
-    image.pixels.assign(kSide * kSide * 4, value);
-    return image;
+    return plainImage(kSide, kSide, 4, value);
 }
 
 std::vector<glm::dvec3> light(double value) {

@@ -34,8 +34,6 @@ inline constexpr const char* kOcclusionGenerator = "occlusion";
 /// Part of the name in the cache: a change of what is made takes another number.
 constexpr int kEnvironmentVersion = 1;
 
-namespace fs = std::filesystem;
-
 /// A default environment, by one of the first two names: a file in the cache, made where it is not there. `say` is told.
 Result<fs::path> cachedEnvironment(const std::string& generator, const Say& say) {
     const auto kind = generator == kSkyGenerator ? DefaultEnvironment::Sky : DefaultEnvironment::Studio;

@@ -184,8 +184,6 @@ void addShape(CLI::App& command, StrandArguments& arguments) {
         ->excludes(region);
 }
 
-namespace fs = std::filesystem;
-
 void addFurStrands(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<StrandArguments>();
     CLI::App* command = fur.add_subcommand("strands", "Grow strands on a mesh as ribbons, a part of it (docs/design/fur.md)");
@@ -267,8 +265,6 @@ int poseFile(const PoseArguments& arguments) {
         fmt::print("wrote {}\n", file);
     return 0;
 }
-
-namespace fs = std::filesystem;
 
 void addFurPose(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<PoseArguments>();

@@ -192,10 +192,6 @@ std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu
             CanvasVertex{r.at, b.at, r.uv, b.uv, color}, CanvasVertex{l.at, b.at, l.uv, b.uv, color}};
 }
 
-} // namespace
-
-namespace {
-
 /// One draw with everything that must live until it has run.
 struct Prepared {
     gpu::Texture* target = nullptr;

@@ -205,7 +205,7 @@ Chart seen(const Triangles& triangles, Faces faces) {
     const glm::dvec3 side = std::abs(towards.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(side, towards));
     const glm::dvec3 v = glm::cross(towards, u);
-    Chart chart{.faces = std::move(faces)};
+    Chart chart{.faces = std::move(faces), .places = {}};
     const glm::dvec3 origin = triangles.place(chart.faces.front(), 0);
     for (const std::uint32_t face : chart.faces) {
         std::array<glm::dvec2, 3>& places = chart.places.emplace_back();

@@ -49,7 +49,11 @@ LinkReceiver receiverOf(const LinkCells& cells, int level, const LinkCells::Midd
     };
     const glm::vec3 across = glm::cross(middle.alongU, middle.alongV);
     const float length = glm::length(across);
-    LinkReceiver receiver{.middle = middle, .normal = length > 0 ? across / length : glm::vec3(0), .fourth = left(options.fourth)};
+    LinkReceiver receiver{.middle = middle,
+                          .normal = length > 0 ? across / length : glm::vec3(0),
+                          .spreads = {},
+                          .fourth = left(options.fourth),
+                          .whole = {}};
     receiver.fourthReach = static_cast<float>(kReach) * std::sqrt(receiver.fourth.through);
     float widest = 0;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -568,7 +568,7 @@ std::array<float, 4> texelOf(const Link& link) {
 class Sheet {
 public:
     Sheet(SkinLinks& links, int tiles, int rows) : sheet_(links.sheet), tiles_(tiles), rows_(rows) {
-        sheet_ = {.width = tiles * kLinkSide, .height = tiles * rows, .channels = 4};
+        sheet_ = {.width = tiles * kLinkSide, .height = tiles * rows, .channels = 4, .pixels = {}, .metadata = {}};
         sheet_.pixels.assign(static_cast<std::size_t>(sheet_.width) * static_cast<std::size_t>(sheet_.height) * 4, 0.0F);
     }
 
@@ -641,7 +641,7 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
     const LinkCells cells(mesh, skinMask(mesh));
     links.seconds.cells = watch.lap();
     if (!(cells.usualSide(0) > 0))
-        return inputError(7044, {.file = mesh.name}, "links need texture coordinates in the unit square, and there are none",
+        return inputError(7044, {.file = mesh.name, .byte = {}}, "links need texture coordinates in the unit square, and there are none",
                           "tegument prep MESH --unwrap makes them");
     Gatherer gatherer(cells, options);
     gatherer.decide(mesh);

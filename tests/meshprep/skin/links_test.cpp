@@ -184,7 +184,7 @@ TEST(SkinLinks, WhatPyramidsMissOfTheFourthGaussianBeyondTheBorderOfAChartComesA
 TEST(SkinLinks, WhatTheMeshCallsNoSkinSendsNothing) {
     Mesh plane;
     addSheet(plane, 100, 0, {0, 0}, 1);
-    Image color{.width = 2, .height = 1, .channels = 4, .pixels = {1, 1, 1, 1, 1, 1, 1, 0}};
+    Image color{.width = 2, .height = 1, .channels = 4, .pixels = {1, 1, 1, 1, 1, 1, 1, 0}, .metadata = {}};
     plane.textures.push_back({.role = "color", .image = color});
     const auto links = makeSkinLinks(plane);
     ASSERT_TRUE(links) << format(links.error());

@@ -6,7 +6,7 @@ option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 # their parts.
 add_library(tegument_host INTERFACE)
 target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt)
-set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check
+set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_process tegument_direct3d tegument_check
     tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
     tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings tegument_portrait)
 foreach(library IN LISTS exported)

@@ -145,6 +145,14 @@ Result<void> rewriteFile(const fs::path& path, std::string_view bytes) {
     return {};
 }
 
+std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
+    std::error_code code;
+    if (named.empty()) return std::nullopt;
+    for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (fs::exists(folder / named, code)) return folder;
+    return std::nullopt;
+}
+
 fs::path cacheFolder() {
     const auto variable = [](const char* name) -> std::string {
         const char* value = std::getenv(name);

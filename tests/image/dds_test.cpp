@@ -4,7 +4,7 @@
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "tests/meshprep/scan_files.h"
 
 #include "host/support/file.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <cstdlib>
 

@@ -1,8 +1,8 @@
 #include "tools/cli/fetch.h"
 
-#include "host/support/process.h"
 #include "host/support/text.h"
 #include "meshprep/assets/names.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 

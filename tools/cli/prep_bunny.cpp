@@ -1,12 +1,12 @@
 // tegument prep bunny: the mesh, maps and roots that effects/workspaces/bunny*.json name.
 
 #include "host/support/file.h"
-#include "host/support/process.h"
 #include "host/support/system.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/fetch.h"
 #include "tools/cli/output.h"
 #include "tools/cli/prep_mesh.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -75,11 +75,6 @@ TEST(AffineLaws, weigh_small_sizes_like_large_ones) {
     EXPECT_NEAR((law.fixed + law.slope) / y[0], 1, 0.02);
 }
 
-TEST(AffineLaws, explain_the_exponent_that_a_fixed_cost_leaves) {
-    const auto y = times([](double x) { return 5 + x; });
-    const AffineLaw law = fitAffine(kSizes, y);
-}
-
 TEST(Quantiles, are_linear_between_ranks) {
     const std::vector<double> values = {40, 10, 30, 20};
     EXPECT_DOUBLE_EQ(quantile(values, 0), 10);

@@ -2,7 +2,7 @@
 
 #include "host/mesh/glb.h"
 #include "host/mesh/read_mesh.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <chrono>
 #include <string>

@@ -1,6 +1,6 @@
 // Starts a program beside itself from a thread that ends, says which, and is killed before anything is tidied up: for process_test.cpp.
 
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <csignal>
 #include <cstdio>

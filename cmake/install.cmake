@@ -6,7 +6,7 @@ option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 # their parts.
 add_library(tegument_host INTERFACE)
 target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt)
-set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check
+set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_process tegument_direct3d tegument_check
     tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
     tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings tegument_portrait)
 foreach(library IN LISTS exported)
@@ -27,7 +27,7 @@ set(public_headers
     host/mesh/mesh.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
     host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h
     host/run/session.h host/run/session_frame.h
-    meshprep/assets/cache.h meshprep/assets/effect_options.h meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
+    meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
     meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h meshprep/portrait/head_pose.h meshprep/portrait/portrait.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)

@@ -20,7 +20,7 @@ namespace adopt {
 namespace {
 
 void note(Adoption& adoption, const SourcePosition& at, std::string text) {
-    adoption.notes.push_back({.severity = Severity::Note, .code = 3404, .at = at, .text = std::move(text), .hint = {}, .sourceLine = {}});
+    adoption.notes.push_back({.severity = Severity::Note, .code = 3404, .at = at, .text = std::move(text)});
 }
 
 /// `Word name[`: whether the first word can be a type, or is none of a declaration.
@@ -241,7 +241,7 @@ private:
 
     void refuse(ShaderReference& shader, int code, std::string text) {
         shader.obstacle = std::make_shared<const Diagnostic>(
-            Diagnostic{.severity = Severity::Error, .code = code, .at = shader.at, .text = std::move(text), .hint = {}, .sourceLine = {}});
+            Diagnostic{.severity = Severity::Error, .code = code, .at = shader.at, .text = std::move(text)});
     }
 
     std::optional<Wrapper> wrapperOf(ShaderReference& shader, bool vertex, const std::vector<Port>* available, const Pass& pass,
@@ -314,12 +314,8 @@ private:
 
     /// What the author's code does not declare.
     void addOwn(const char* name, Type type, const char* semantic) {
-        adoption_.effect.parameters.push_back({.name = name,
-                                               .type = std::move(type),
-                                               .semantic = semantic,
-                                               .annotations = {},
-                                               .defaultValue = {},
-                                               .at = {.file = adoption_.effect.file.string(), .byte = {}}});
+        adoption_.effect.parameters.push_back(
+            {.name = name, .type = std::move(type), .semantic = semantic, .at = {.file = adoption_.effect.file.string()}});
     }
 
     void bind() {

@@ -158,11 +158,11 @@ struct Meaning {
 
 Meaning semantic(std::string name, std::string object = {}) {
     std::string words = name + (object.empty() ? "" : " of the light");
-    return {.semantic = std::move(name), .object = std::move(object), .value = {}, .words = std::move(words)};
+    return {.semantic = std::move(name), .object = std::move(object), .words = std::move(words)};
 }
 
 Meaning constant(Numbers value, std::string words) {
-    return {.semantic = {}, .object = {}, .value = std::move(value), .words = std::move(words)};
+    return {.value = std::move(value), .words = std::move(words)};
 }
 
 class Binder {

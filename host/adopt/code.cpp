@@ -147,7 +147,7 @@ private:
             words.insert(words.end(), inside.begin(), inside.end());
         }
         if (peek().is(";")) words.push_back(take());
-        add({}, Other{.name = {}, .words = std::move(words)});
+        add({}, Other{.words = std::move(words)});
     }
 
     bool item() {
@@ -267,7 +267,7 @@ private:
 
     /// A method leaves a member without a name, and so does what is not understood.
     static std::vector<Variable> members(Words block) {
-        CodeParser inside({.words = {block.begin() + 1, block.end() - (block.size() > 1 ? 1 : 0)}, .files = {}, .pragmas = {}});
+        CodeParser inside({.words = {block.begin() + 1, block.end() - (block.size() > 1 ? 1 : 0)}});
         std::vector<Variable> list;
         while (!inside.atEnd()) {
             const std::size_t before = inside.at_;
@@ -334,8 +334,8 @@ private:
     }
 
     static Variable parameter(const Words& words) {
-        CodeParser inside({.words = words, .files = {}, .pragmas = {}});
-        Variable made{.modifiers = inside.modifiers(), .type = inside.type(), .name = {}};
+        CodeParser inside({.words = words});
+        Variable made{.modifiers = inside.modifiers(), .type = inside.type()};
         if (made.type.empty()) made.type.push_back(Word{});
         if (inside.peek().isName()) made.name = inside.take();
         inside.tail(made, {});

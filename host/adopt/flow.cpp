@@ -79,7 +79,7 @@ public:
         std::vector<Known> outs;
         const Known result = call(*function, std::move(values), &outs);
         std::map<std::string, Known> outputs;
-        give({.type = function->type, .name = {}, .semantic = function->semantic}, result, outputs, 0);
+        give({.type = function->type, .semantic = function->semantic}, result, outputs, 0);
         for (std::size_t i = 0; i < function->parameters.size(); ++i)
             if (function->parameters[i].has("out") || function->parameters[i].has("inout"))
                 give(function->parameters[i], outs[i], outputs, 0);
@@ -163,7 +163,7 @@ private:
         return value.at[value.at.size() == 1 ? 0 : std::min(i, value.at.size() - 1)];
     }
 
-    Known unknown() { return {.at = {made("unknown", {})}, .members = {}}; }
+    Known unknown() { return {.at = {made("unknown", {})}}; }
 
     Known vector(const std::string& op, const std::string& name, std::size_t count) {
         Known value;
@@ -182,7 +182,7 @@ private:
             return value;
         }
         const auto shape = shapeOf(type);
-        if (shape && shape->matrix) return {.at = {made("matrix", {}, name)}, .members = {}, .matrix = true};
+        if (shape && shape->matrix) return {.at = {made("matrix", {}, name)}, .matrix = true};
         return vector(op, name, shape ? static_cast<std::size_t>(shape->columns) : 1);
     }
 
@@ -230,7 +230,7 @@ private:
             return value;
         }
         const auto shape = shapeOf(type);
-        if (shape && shape->matrix) return {.at = {made("stream", {}, key)}, .members = {}, .matrix = true};
+        if (shape && shape->matrix) return {.at = {made("stream", {}, key)}, .matrix = true};
         return vector("stream", key, shape ? static_cast<std::size_t>(shape->columns) : 1);
     }
 
@@ -565,7 +565,7 @@ private:
 
     Known operated(const std::string& op, const Known& a, const Known& b) {
         if (a.at.empty() || b.at.empty()) return unknown();
-        if (a.matrix || b.matrix) return {.at = {made(op, {whole(a), whole(b)})}, .members = {}, .matrix = true};
+        if (a.matrix || b.matrix) return {.at = {made(op, {whole(a), whole(b)})}, .matrix = true};
         Known value;
         const std::size_t count = a.at.size() == 1 ? b.at.size() : b.at.size() == 1 ? a.at.size() : std::min(a.at.size(), b.at.size());
         for (std::size_t i = 0; i < count; ++i)
@@ -578,7 +578,7 @@ private:
             const std::string op = c.words[c.at].text;
             c.at += 2;
             const Term term = unary(c);
-            assign(term, operated(op, term.value, {.at = {number(1)}, .members = {}}));
+            assign(term, operated(op, term.value, {.at = {number(1)}}));
             return term;
         }
         if (c.accept("-")) {
@@ -634,7 +634,7 @@ private:
             } else if (c.isPair('+', '+') || c.isPair('-', '-')) {
                 const std::string op = c.words[c.at].text;
                 c.at += 2;
-                assign(term, operated(op, term.value, {.at = {number(1)}, .members = {}}));
+                assign(term, operated(op, term.value, {.at = {number(1)}}));
             } else {
                 return term;
             }
@@ -652,7 +652,7 @@ private:
         } else if (known && *known >= 0 && static_cast<std::size_t>(*known) < term.value.at.size() && term.value.members.empty() &&
                    result.place && isVector(*result.place)) {
             result.place->steps.back() = std::string(1, "xyzw"[static_cast<std::size_t>(*known) % 4]);
-            result.value = {.at = {term.value.at[static_cast<std::size_t>(*known)]}, .members = {}};
+            result.value = {.at = {term.value.at[static_cast<std::size_t>(*known)]}};
         }
         return result;
     }
@@ -669,7 +669,7 @@ private:
             for (const char letter : name)
                 result.value.at.push_back(component(term.value, componentOf(letter)));
         } else {
-            result.value = {.at = {made("part", {whole(term.value)}, name)}, .members = {}};
+            result.value = {.at = {made("part", {whole(term.value)}, name)}};
         }
         return result;
     }
@@ -708,11 +708,11 @@ private:
             ++c.at;
             double value = 0;
             std::from_chars(word.text.data(), word.text.data() + word.text.size(), value);
-            return {{.at = {number(value)}, .members = {}}, std::nullopt};
+            return {{.at = {number(value)}}, std::nullopt};
         }
         if (!word.isName()) throw TooMuch{};
         ++c.at;
-        if (word.is("true") || word.is("false")) return {{.at = {number(word.is("true"))}, .members = {}}, std::nullopt};
+        if (word.is("true") || word.is("false")) return {{.at = {number(word.is("true"))}}, std::nullopt};
         if (c.is("<") && (word.is("vector") || word.is("matrix")))
             while (!c.ended() && !c.is("("))
                 ++c.at;
@@ -772,7 +772,7 @@ private:
         for (const Known& argument : arguments)
             if (argument.at.empty() && argument.members.empty()) return unknown();
         if (name == "mul" && arguments.size() == 2) return multiplied(arguments[0], arguments[1]);
-        if (name == "dot" && arguments.size() == 2) return {.at = {made("dot", {whole(arguments[0]), whole(arguments[1])})}, .members = {}};
+        if (name == "dot" && arguments.size() == 2) return {.at = {made("dot", {whole(arguments[0]), whole(arguments[1])})}};
         if (name == "normalize") {
             const int all = made("normalize", {whole(arguments[0])});
             Known value;
@@ -782,7 +782,7 @@ private:
         }
         if (name == "transpose") return arguments[0];
         if (name == "length" || name == "distance" || name == "any" || name == "all" || name == "determinant")
-            return {.at = {made(name, {whole(arguments[0])})}, .members = {}};
+            return {.at = {made(name, {whole(arguments[0])})}};
         std::vector<int> all;
         std::size_t count = 1;
         for (const Known& argument : arguments) {
@@ -804,10 +804,10 @@ private:
 
     Known multiplied(const Known& a, const Known& b) {
         if (!a.matrix && !b.matrix) {
-            if (a.at.size() > 1 && b.at.size() > 1) return {.at = {made("dot", {whole(a), whole(b)})}, .members = {}};
+            if (a.at.size() > 1 && b.at.size() > 1) return {.at = {made("dot", {whole(a), whole(b)})}};
             return operated("*", a, b);
         }
-        if (a.matrix && b.matrix) return {.at = {made("product", {whole(a), whole(b)})}, .members = {}, .matrix = true};
+        if (a.matrix && b.matrix) return {.at = {made("product", {whole(a), whole(b)})}, .matrix = true};
         const Known& v = a.matrix ? b : a;
         const Known& m = a.matrix ? a : b;
         return vectorOf("transformed", {whole(v), whole(m)}, 4);

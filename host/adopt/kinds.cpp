@@ -92,7 +92,7 @@ private:
         }
         const auto functions = code_.functions(body[at].text);
         if (functions.empty()) return;
-        Call call{.from = function.name.text, .names = names, .to = body[at].text, .arguments = {}};
+        Call call{.from = function.name.text, .names = names, .to = body[at].text};
         for (std::size_t i = 0; i < parts.size(); ++i) {
             call.arguments.push_back(parts[i].empty() || !parts[i][0].isName() ? std::string() : parts[i][0].text);
             // What goes into an out parameter is written.

@@ -56,7 +56,7 @@ void turn(Body& body, const Words& words, std::size_t at) {
 }
 
 Body read(const Function& function) {
-    Body body{.function = &function, .members = {}, .local = {}, .vectors = {}, .negated = {}};
+    Body body{.function = &function};
     const Words& words = function.body;
     for (const Variable& parameter : function.parameters) {
         body.local.insert(parameter.name.text);

@@ -78,10 +78,10 @@ void Rewriter::planSampler(Effect& effect, const Variable& variable, const std::
     const auto used = uses_.samplers.find(variable.name.text);
     const std::string kind = !declared.empty() ? declared : used != uses_.samplers.end() ? used->second : "2D";
     Sampler* sampler = findSampler(effect, name);
-    const SourcePosition at = sampler ? sampler->at : SourcePosition{.file = effect.file.string(), .byte = {}};
+    const SourcePosition at = sampler ? sampler->at : SourcePosition{.file = effect.file.string()};
     SamplerPlan plan{.kind = kind, .texture = textureFor(effect, sampler, name, kind, at), .state = "tg_state_" + identifier(name)};
     sampler = findSampler(effect, name); // textureFor() adds parameters, not samplers
-    if (!sampler) sampler = &effect.samplers.emplace_back(Sampler{.name = name, .texture = {}, .state = {}, .annotations = {}, .at = at});
+    if (!sampler) sampler = &effect.samplers.emplace_back(Sampler{.name = name, .at = at});
     sampler->name = plan.state;
     sampler->texture = plan.texture;
     samplers_[name] = std::move(plan);
@@ -91,7 +91,7 @@ void Rewriter::planSampler(Effect& effect, const Variable& variable, const std::
 std::string Rewriter::textureFor(Effect& effect, const Sampler* sampler, const std::string& name, const std::string& kind,
                                  const SourcePosition& at) {
     std::string texture = sampler ? sampler->texture : std::string();
-    Parameter made{.name = texture, .type = {.base = textureBase(kind), .name = "texture"}, .semantic = {}, .annotations = {}, .at = at};
+    Parameter made{.name = texture, .type = {.base = textureBase(kind), .name = "texture"}, .at = at};
     if (const Parameter* own = effect.findParameter(texture); own && !texture.empty()) {
         const auto [known, first] = textureKinds_.try_emplace(texture, kind);
         if (first) find(effect, texture)->type.base = textureBase(kind);
@@ -119,11 +119,8 @@ void Rewriter::planLayers(Effect& effect) {
         if (type != "Texture2DArray" && type != "Texture2DMS" && type != "Texture2DMSArray") continue;
         const std::string name = variable->name.text + "_layer";
         layers_[variable->name.text] = name;
-        effect.parameters.push_back({.name = name,
-                                     .type = {.base = BaseType::Texture2D, .name = "texture"},
-                                     .semantic = {},
-                                     .annotations = {},
-                                     .at = {.file = effect.file.string(), .byte = {}}});
+        effect.parameters.push_back(
+            {.name = name, .type = {.base = BaseType::Texture2D, .name = "texture"}, .at = {.file = effect.file.string()}});
     }
 }
 
@@ -162,9 +159,9 @@ void Rewriter::planLeaves(Effect& effect, const Parameter& whole, const Type& ty
         return;
     }
     if (!type.isNumeric()) return;
-    LeafPlan leaf{.name = path, .type = resolved, .array = {}};
+    LeafPlan leaf{.name = path, .type = resolved};
     if (type.elements > 0) leaf.array = {Word{.text = fmt::format("[{}]", type.elements)}};
-    Parameter made{.name = path, .type = type, .semantic = {}, .annotations = whole.annotations, .at = whole.at};
+    Parameter made{.name = path, .type = type, .annotations = whole.annotations, .at = whole.at};
     for (Annotation& annotation : made.annotations.list) // of the whole: "Sas.PointLight[0]" and its ".Position"
         if (auto* address = std::get_if<std::string>(&annotation.value); address && equalsIgnoreCase(annotation.name, "SasBindAddress"))
             *address += "." + path.substr(path.rfind('_') + 1);

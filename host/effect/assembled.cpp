@@ -69,7 +69,7 @@ std::string Parser::stageSampler(const Assignment& given) {
 }
 
 void Parser::assemble(Pass& pass, bool vertex, const TokenRange& text) {
-    Assembly assembly{.name = fmt::format("tg_assembly{}", ++assembled_), .lines = {}, .constants = {}, .samplers = {}};
+    Assembly assembly{.name = fmt::format("tg_assembly{}", ++assembled_)};
     for (const Assignment& given : registers_) {
         const std::string name = toLower(given.name.text);
         const bool constant = name.find("constant") != std::string::npos;
@@ -90,8 +90,8 @@ void Parser::assemble(Pass& pass, bool vertex, const TokenRange& text) {
     if (!made) return warn(2021, position(first), fmt::format("the assembly's '{}' is not translated", why), "write HLSL");
     result_.assembled += made->text;
     result_.functions.insert(assembly.name);
-    (vertex ? pass.vertexShader : pass.pixelShader) = ShaderReference{
-        .entry = assembly.name, .profile = made->profile, .arguments = {}, .at = position(first), .code = {}, .original = {}};
+    (vertex ? pass.vertexShader : pass.pixelShader) =
+        ShaderReference{.entry = assembly.name, .profile = made->profile, .at = position(first)};
     --pass.assemblyShaders;
 }
 

@@ -173,7 +173,7 @@ std::optional<Constant> componentwise(std::string_view name, std::span<const Con
     const bool known = (v.size() == 1 && one != kFunctions1.end()) || (v.size() == 2 && two != kFunctions2.end()) ||
                        (v.size() == 3 && three != kFunctions3.end());
     if (!known) return std::nullopt;
-    Constant result{.numbers = {}, .integral = keepsIntegers(name) && std::ranges::all_of(v, &Constant::integral)};
+    Constant result{.integral = keepsIntegers(name) && std::ranges::all_of(v, &Constant::integral)};
     for (std::size_t i = 0; i < commonSize(v); ++i)
         result.numbers.push_back(v.size() == 1   ? one->apply(at(v[0], i))
                                  : v.size() == 2 ? two->apply(at(v[0], i), at(v[1], i))
@@ -185,7 +185,7 @@ std::optional<Constant> componentwise(std::string_view name, std::span<const Con
 
 std::optional<Constant> applyOperator(std::string_view op, const Constant& a, const Constant& b) {
     const std::array both{a, b};
-    Constant result{.numbers = {}, .integral = a.integral && b.integral, .elements = 0, .rows = std::max(a.rows, b.rows)};
+    Constant result{.integral = a.integral && b.integral, .elements = 0, .rows = std::max(a.rows, b.rows)};
     for (std::size_t i = 0; i < commonSize(both); ++i) {
         const std::optional<double> value = calculate(op, at(a, i), at(b, i), result.integral);
         if (!value) return std::nullopt;
@@ -249,7 +249,7 @@ std::optional<Constant> swizzled(const Constant& value, std::string_view letters
     constexpr std::string_view kPosition = "xyzw";
     constexpr std::string_view kColor = "rgba";
     if (letters.size() > 4 || value.elements > 0 || value.rows > 1) return std::nullopt;
-    Constant result{.numbers = {}, .integral = value.integral};
+    Constant result{.integral = value.integral};
     for (const char letter : letters) {
         const std::size_t place = std::min(kPosition.find(letter), kColor.find(letter));
         if (place >= value.numbers.size()) return std::nullopt;

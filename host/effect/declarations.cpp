@@ -263,7 +263,7 @@ bool Parser::declarator(Declarator d) {
         return false;
     if (d.type.name == "RWTexture2D")
         result_.effect.storages.push_back(
-            {.name = std::move(parameter.name), .target = {}, .annotations = std::move(parameter.annotations), .at = parameter.at});
+            {.name = std::move(parameter.name), .annotations = std::move(parameter.annotations), .at = parameter.at});
     if (d.type.base == BaseType::Other && d.type.name.starts_with("Texture")) result_.otherTextures.insert(parameter.name);
     if (d.type.base == BaseType::Other) return true;
     if (const auto* numbers = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr) {

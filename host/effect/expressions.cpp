@@ -84,7 +84,7 @@ std::optional<Constant> Parser::constructor(int depth, const Resolver& resolve) 
     if (peek().is('<') && !skipTemplate(type)) return std::nullopt;
     const auto parts = callArguments(depth, resolve);
     if (!parts) return std::nullopt;
-    Constant result{.numbers = {}, .integral = type.base != BaseType::Float, .elements = 0, .rows = type.rows};
+    Constant result{.integral = type.base != BaseType::Float, .elements = 0, .rows = type.rows};
     for (const Constant& part : *parts)
         for (const double value : part.numbers)
             result.numbers.push_back(convertedTo(type, value));

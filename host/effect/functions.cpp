@@ -65,8 +65,7 @@ std::optional<Constant> Parser::called(int depth, const Resolver& resolve) {
         }
         Locals locals;
         for (std::size_t i = 0; i < parameters.size(); ++i)
-            locals[parameters[i].name] = {
-                .name = {}, .type = parameters[i].type, .value = convertedTo(parameters[i].type, (*arguments)[i])};
+            locals[parameters[i].name] = {.type = parameters[i].type, .value = convertedTo(parameters[i].type, (*arguments)[i])};
         return runFunction(function, std::move(locals), name);
     }
     fail(1104, name, fmt::format("no function '{}' takes {} values", name.text, arguments->size()));
@@ -184,7 +183,7 @@ bool Parser::runAssignment(const std::optional<Type>& type) {
     if (counted()) step = take().text, take();
     Token name;
     if (!expectName(name, "a variable")) return false;
-    if (type) (*locals_)[std::string(name.text)] = {.name = {}, .type = *type, .value = {{0}, true}};
+    if (type) (*locals_)[std::string(name.text)] = {.type = *type, .value = {{0}, true}};
     const auto local = locals_->find(name.text);
     if (local == locals_->end()) return fail(1104, name, fmt::format("'{}' cannot be evaluated here", name.text));
     if (counted()) step = take().text, take();

@@ -47,12 +47,9 @@ std::optional<Diagnostic> direct3D9Intrinsic(const Effect& effect) {
         if (tokens[i].is('#') && i + 3 < tokens.size() && tokens[i + 1].is("line") && tokens[i + 3].kind == TokenKind::String)
             place.update(tokens[i + 2], tokens[i + 3]);
         if (tokens[i].kind != TokenKind::Word || !isDirect3D9(tokens[i].text)) continue;
-        return Diagnostic{.severity = Severity::Warning,
-                          .code = 2023,
-                          .at = {place.file, tokens[i].line + place.offset, tokens[i].column, std::nullopt},
-                          .text = fmt::format("not checked: Direct3D 9 intrinsic '{}'", tokens[i].text),
-                          .hint = "SPIR-V targets need the spelling of Direct3D 10 or hlsl/platform.fxh",
-                          .sourceLine = {}};
+        return inputWarning(2023, {place.file, tokens[i].line + place.offset, tokens[i].column, std::nullopt},
+                            fmt::format("not checked: Direct3D 9 intrinsic '{}'", tokens[i].text),
+                            "SPIR-V targets need the spelling of Direct3D 10 or hlsl/platform.fxh");
     }
     return std::nullopt;
 }

@@ -101,13 +101,12 @@ private:
     /// An error; where reading is lenient a warning.
     void refuse(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
         if (!lenient_) return fail(code, at, std::move(text), std::move(hint));
-        effect_.warnings.push_back(
-            {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+        effect_.warnings.push_back(inputWarning(code, at, std::move(text), std::move(hint)));
     }
 
     void fail(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
         if (parsed_.errors.size() < 20)
-            parsed_.errors.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+            parsed_.errors.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint)});
     }
 
     template <class T>

@@ -104,8 +104,7 @@ bool Parser::nameable(const Token& name, std::string_view what, bool types) {
 }
 
 bool Parser::fail(int code, const Token& at, std::string text, std::string hint) {
-    if (!full())
-        result_.errors.push_back({.code = code, .at = position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+    if (!full()) result_.errors.push_back({.code = code, .at = position(at), .text = std::move(text), .hint = std::move(hint)});
     return false;
 }
 
@@ -128,8 +127,7 @@ bool Parser::unexpected(std::string_view expected) {
 }
 
 void Parser::warn(int code, const SourcePosition& at, std::string text, std::string hint) {
-    result_.effect.warnings.push_back(
-        {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+    result_.effect.warnings.push_back(inputWarning(code, at, std::move(text), std::move(hint)));
 }
 
 bool Parser::full() const {

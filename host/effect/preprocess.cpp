@@ -128,9 +128,7 @@ void Macros::undefine(std::string_view name) {
 }
 
 bool Macros::fail(int code, const Token& at, std::string text, std::string hint) {
-    if (!failure_)
-        failure_ =
-            Diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}};
+    if (!failure_) failure_ = Diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint)};
     return false;
 }
 
@@ -551,7 +549,7 @@ private:
     void describe() {
         const std::vector<std::string> settings = macros_.words("FX_SETTINGS");
         if (settings.size() > 1) {
-            result_.settings = EffectSettings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}, .current = {}};
+            result_.settings = EffectSettings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}};
             const std::string value = valueOf(settings[0]);
             result_.settings->current = value;
             for (std::size_t i = 0; i < result_.settings->names.size(); ++i)
@@ -565,18 +563,12 @@ private:
     std::string valueOf(const std::string& name) const { return fmt::format("{}", fmt::join(macros_.words(name), " ")); }
 
     bool fail(int code, const Token& at, std::string text, std::string hint = {}) {
-        failure_ =
-            Diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}};
+        failure_ = Diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint)};
         return false;
     }
 
     void warn(int code, const Token& at, std::string text, std::string hint = {}) {
-        result_.warnings.push_back({.severity = Severity::Warning,
-                                    .code = code,
-                                    .at = sources_.position(at),
-                                    .text = std::move(text),
-                                    .hint = std::move(hint),
-                                    .sourceLine = {}});
+        result_.warnings.push_back(inputWarning(code, sources_.position(at), std::move(text), std::move(hint)));
     }
 
     bool process(int file, int depth) {
@@ -894,7 +886,7 @@ FileReader confinedReader(const fs::path& effect, Roots roots) {
             if (text) read->emplace(path, *text);
             return text;
         }
-        return Error{Blame::Input, {outsideOf(path, {.file = path.string(), .byte = {}})}};
+        return Error{Blame::Input, {outsideOf(path, {.file = path.string()})}};
     };
 }
 

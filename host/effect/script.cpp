@@ -111,14 +111,9 @@ private:
 
     void fail(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
         if (lenient_)
-            result_.warnings.push_back({.severity = Severity::Warning,
-                                        .code = code,
-                                        .at = at,
-                                        .text = std::move(text),
-                                        .hint = std::move(hint),
-                                        .sourceLine = {}});
+            result_.warnings.push_back(inputWarning(code, at, std::move(text), std::move(hint)));
         else if (errors_.size() < 20)
-            errors_.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+            errors_.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint)});
     }
 
     void command(std::size_t start, std::size_t end) {
@@ -236,12 +231,8 @@ private:
         }
         if (command.kind == CommandKind::LoopByCount) loops_.push_back(commands.size());
         if (command.kind == CommandKind::Reserved)
-            result_.warnings.push_back({.severity = Severity::Warning,
-                                        .code = 2009,
-                                        .at = command.at,
-                                        .text = fmt::format("{} is reserved in DXSAS 0.8 and does nothing", entry.name),
-                                        .hint = {},
-                                        .sourceLine = {}});
+            result_.warnings.push_back(
+                inputWarning(2009, command.at, fmt::format("{} is reserved in DXSAS 0.8 and does nothing", entry.name)));
         commands.push_back(std::move(command));
     }
 

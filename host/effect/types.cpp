@@ -95,10 +95,6 @@ bool readDimensions(std::string_view text, Type& type) {
     return true;
 }
 
-} // namespace
-
-namespace {
-
 /// Microsoft's compiler takes the names of effect types in any case: STRING, Sampler2D, Matrix.
 std::optional<Type> inAnyCase(std::string_view name) {
     for (const auto& [text, base] : kObjects)

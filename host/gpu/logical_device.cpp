@@ -28,7 +28,7 @@ FeatureChain wantedFeatures(const FeatureChain& present) {
         .depthClamp = has.depthClamp,
         .fillModeNonSolid = has.fillModeNonSolid,
         .samplerAnisotropy = has.samplerAnisotropy,
-        .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics, // pixel shaders that count what they fetch (host/spirv/count.h)
+        .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics, // pixel shaders that count what they fetch (lab/bench/count.h)
         .shaderImageGatherExtended = has.shaderImageGatherExtended,
         .shaderStorageImageReadWithoutFormat = has.shaderStorageImageReadWithoutFormat,
         .shaderStorageImageWriteWithoutFormat = has.shaderStorageImageWriteWithoutFormat,

@@ -119,8 +119,8 @@ vk::ImageBlit2 wholeImage(vk::Extent2D from, vk::Extent2D to) {
 }
 
 /// What was there before is not read: the first layout may be undefined.
-constexpr Use kAcquired{.stages = kCopyTarget.stages, .reads = {}, .writes = {}};
-constexpr Use kShown{.stages = {}, .reads = {}, .writes = {}, .layout = vk::ImageLayout::ePresentSrcKHR};
+constexpr Use kAcquired{.stages = kCopyTarget.stages};
+constexpr Use kShown{.layout = vk::ImageLayout::ePresentSrcKHR};
 
 void recordCopy(const PresenterState& state, const vk::raii::CommandBuffer& commands, TextureState& texture, vk::Image image) {
     transition(commands, texture, kCopySource);

@@ -1,6 +1,7 @@
 #include "host/gpu/spirv.h"
 
 #include "host/gpu/error.h"
+#include "host/spirv/instructions.h"
 
 #include <fmt/format.h>
 #include <spirv-tools/libspirv.hpp>
@@ -16,20 +17,11 @@ namespace tegument::gpu::detail {
 
 namespace {
 
+using spirv::forEachInstruction;
+
 constexpr spv_target_env kEnvironment = SPV_ENV_VULKAN_1_3;
 
-// SPIR-V specification, 2.3 "Physical Layout of a SPIR-V Module" and 3.42 "Instructions".
-constexpr std::size_t kHeaderWords = 5;
 constexpr std::uint32_t kSpirv14 = 0x00010400; // from here on the interface lists variables of all storage classes
-constexpr std::uint16_t kOpName = 5;
-constexpr std::uint16_t kOpEntry = 15;
-constexpr std::uint16_t kOpTypePointer = 32;
-constexpr std::uint16_t kOpVariable = 59;
-constexpr std::uint16_t kOpStore = 62;
-constexpr std::uint16_t kOpDecorate = 71;
-constexpr std::uint32_t kLocation = 30; // a decoration
-constexpr std::uint32_t kOutput = 3;    // storage classes
-constexpr std::uint32_t kPrivate = 6;
 
 struct Outputs {
     std::map<std::uint32_t, std::uint32_t> pointees; // of pointer types to outputs
@@ -37,22 +29,12 @@ struct Outputs {
     std::set<std::uint32_t> beyond;                  // variables whose location no target has
 };
 
-template <class Visit>
-void forEach(std::span<const std::uint32_t> words, const Visit& visit) {
-    for (std::size_t at = kHeaderWords; at < words.size();) {
-        const std::size_t length = std::max<std::size_t>(1, words[at] >> 16U);
-        if (at + length > words.size()) return;
-        visit(words[at] & 0xffffU, words.subspan(at, length));
-        at += length;
-    }
-}
-
 Outputs outputsOf(std::uint32_t targets, std::span<const std::uint32_t> words) {
     Outputs found;
-    forEach(words, [&](std::uint32_t op, std::span<const std::uint32_t> w) {
-        if (op == kOpTypePointer && w[2] == kOutput) found.pointees[w[1]] = w[3];
-        if (op == kOpVariable && w[3] == kOutput) found.types[w[2]] = w[1];
-        if (op == kOpDecorate && w.size() > 3 && w[2] == kLocation && w[3] >= targets) found.beyond.insert(w[1]);
+    forEachInstruction(words, [&](spv::Op op, std::span<const std::uint32_t> w) {
+        if (op == spv::OpTypePointer && w[2] == spv::StorageClassOutput) found.pointees[w[1]] = w[3];
+        if (op == spv::OpVariable && w[3] == spv::StorageClassOutput) found.types[w[2]] = w[1];
+        if (op == spv::OpDecorate && w.size() > 3 && w[2] == spv::DecorationLocation && w[3] >= targets) found.beyond.insert(w[1]);
     });
     std::erase_if(found.beyond, [&](std::uint32_t id) { return !found.types.contains(id); }); // inputs have locations, too
     return found;
@@ -74,7 +56,7 @@ bool onlyStoredTo(const std::set<std::uint32_t>& ids, std::span<const std::uint3
     } search{ids};
     const auto visit = [](void* into, const spv_parsed_instruction_t* instruction) {
         auto& wanted = *static_cast<Search*>(into);
-        constexpr std::array kMay = {kOpName, kOpDecorate, kOpVariable, kOpEntry, kOpStore};
+        constexpr std::array<std::uint16_t, 5> kMay = {spv::OpName, spv::OpDecorate, spv::OpVariable, spv::OpEntryPoint, spv::OpStore};
         if (std::ranges::find(kMay, instruction->opcode) != kMay.end()) return SPV_SUCCESS;
         for (const spv_parsed_operand_t& operand : std::span(instruction->operands, instruction->num_operands))
             wanted.only = wanted.only && !(operand.type == SPV_OPERAND_TYPE_ID && wanted.ids.contains(instruction->words[operand.offset]));
@@ -93,7 +75,7 @@ void appendEntry(std::vector<std::uint32_t>& into, std::span<const std::uint32_t
     const std::size_t interface = std::min(interfaceAt(entry), entry.size());
     append(into, entry.first(interface));
     std::ranges::copy_if(entry.subspan(interface), std::back_inserter(into), [&](std::uint32_t id) { return !gone.contains(id); });
-    into[begin] = static_cast<std::uint32_t>(into.size() - begin) << 16U | kOpEntry;
+    into[begin] = static_cast<std::uint32_t>(into.size() - begin) << spv::WordCountShift | spv::OpEntryPoint;
 }
 
 } // namespace
@@ -107,7 +89,8 @@ Result<void> checkShader(std::span<const std::uint32_t> words, const std::string
     const auto visit = [](void* into, const spv_parsed_instruction_t* instruction) {
         auto& wanted = *static_cast<Search*>(into);
         const std::uint32_t* w = instruction->words; // strings end within their instruction
-        wanted.found |= instruction->opcode == kOpEntry && w[1] == wanted.model && wanted.name == reinterpret_cast<const char*>(w + 3);
+        wanted.found |=
+            instruction->opcode == spv::OpEntryPoint && w[1] == wanted.model && wanted.name == reinterpret_cast<const char*>(w + 3);
         return SPV_SUCCESS;
     };
     std::string why = "it cannot be read";
@@ -122,19 +105,19 @@ Result<void> checkShader(std::span<const std::uint32_t> words, const std::string
 }
 
 std::vector<std::uint32_t> withoutOutputsFrom(std::uint32_t targets, std::span<const std::uint32_t> words) {
-    if (words.size() < kHeaderWords) return {};
+    if (words.size() < spirv::kModuleHeader) return {};
     const Outputs outputs = outputsOf(targets, words);
     if (outputs.beyond.empty() || !onlyStoredTo(outputs.beyond, words)) return {};
-    std::vector<std::uint32_t> made(words.begin(), words.begin() + kHeaderWords);
-    forEach(words, [&](std::uint32_t op, std::span<const std::uint32_t> w) {
-        if (op == kOpEntry && words[1] < kSpirv14) {
+    std::vector<std::uint32_t> made(words.begin(), words.begin() + spirv::kModuleHeader);
+    forEachInstruction(words, [&](spv::Op op, std::span<const std::uint32_t> w) {
+        if (op == spv::OpEntryPoint && words[1] < kSpirv14) {
             appendEntry(made, w, outputs.beyond);
-        } else if (op == kOpVariable && outputs.beyond.contains(w[2])) {
-            const std::uint32_t type = made[3]++; // the bound: one more id
-            append(made,
-                   std::to_array<std::uint32_t>({4U << 16U | kOpTypePointer, type, kPrivate, outputs.pointees.at(outputs.types.at(w[2]))}));
-            append(made, std::to_array<std::uint32_t>({4U << 16U | kOpVariable, type, w[2], kPrivate}));
-        } else if (!(op == kOpDecorate && outputs.beyond.contains(w[1]))) {
+        } else if (op == spv::OpVariable && outputs.beyond.contains(w[2])) {
+            const std::uint32_t type = made[spirv::kModuleBound]++; // the bound: one more id
+            append(made, std::to_array<std::uint32_t>({4U << spv::WordCountShift | spv::OpTypePointer, type, spv::StorageClassPrivate,
+                                                       outputs.pointees.at(outputs.types.at(w[2]))}));
+            append(made, std::to_array<std::uint32_t>({4U << spv::WordCountShift | spv::OpVariable, type, w[2], spv::StorageClassPrivate}));
+        } else if (!(op == spv::OpDecorate && outputs.beyond.contains(w[1]))) {
             append(made, w);
         }
     });

@@ -52,16 +52,14 @@ inline constexpr vk::PipelineStageFlags2 kDrawStages =
 inline constexpr Use kSampledByDraw{
     .stages = kDrawStages,
     .reads = vk::AccessFlagBits2::eShaderSampledRead,
-    .writes = {},
     .layout = vk::ImageLayout::eShaderReadOnlyOptimal,
 };
 inline constexpr Use kSampledByDispatch{
     .stages = vk::PipelineStageFlagBits2::eComputeShader,
     .reads = vk::AccessFlagBits2::eShaderSampledRead,
-    .writes = {},
     .layout = vk::ImageLayout::eShaderReadOnlyOptimal,
 };
-inline constexpr Use kStorageInDraw{.stages = kDrawStages, .reads = vk::AccessFlagBits2::eShaderStorageRead, .writes = {}};
+inline constexpr Use kStorageInDraw{.stages = kDrawStages, .reads = vk::AccessFlagBits2::eShaderStorageRead};
 inline constexpr Use kStorageInDispatch{
     .stages = vk::PipelineStageFlagBits2::eComputeShader,
     .reads = vk::AccessFlagBits2::eShaderStorageRead,
@@ -73,18 +71,16 @@ inline constexpr Use kStoredByDispatch{
     .writes = vk::AccessFlagBits2::eShaderStorageWrite,
     .layout = vk::ImageLayout::eGeneral,
 };
-inline constexpr Use kVertexInput{
-    .stages = vk::PipelineStageFlagBits2::eVertexAttributeInput, .reads = vk::AccessFlagBits2::eVertexAttributeRead, .writes = {}};
-inline constexpr Use kIndexInput{.stages = vk::PipelineStageFlagBits2::eIndexInput, .reads = vk::AccessFlagBits2::eIndexRead, .writes = {}};
+inline constexpr Use kVertexInput{.stages = vk::PipelineStageFlagBits2::eVertexAttributeInput,
+                                  .reads = vk::AccessFlagBits2::eVertexAttributeRead};
+inline constexpr Use kIndexInput{.stages = vk::PipelineStageFlagBits2::eIndexInput, .reads = vk::AccessFlagBits2::eIndexRead};
 inline constexpr Use kCopySource{
     .stages = vk::PipelineStageFlagBits2::eAllTransfer,
     .reads = vk::AccessFlagBits2::eTransferRead,
-    .writes = {},
     .layout = vk::ImageLayout::eTransferSrcOptimal,
 };
 inline constexpr Use kCopyTarget{
     .stages = vk::PipelineStageFlagBits2::eAllTransfer,
-    .reads = {},
     .writes = vk::AccessFlagBits2::eTransferWrite,
     .layout = vk::ImageLayout::eTransferDstOptimal,
 };

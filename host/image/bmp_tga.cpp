@@ -56,12 +56,8 @@ std::vector<Color> tableOf(std::span<const std::byte> bytes, std::size_t at, std
 Result<Image> unpacked(const Encoded& in, const Layout& from, std::span<const std::byte> rows, std::size_t first) {
     if (rows.size() / from.height < from.rowBytes) return truncated(in, in.bytes.size(), "rows are missing");
     const bool alpha = from.masks[3] != 0;
-    Image image{.width = static_cast<int>(from.width),
-                .height = static_cast<int>(from.height),
-                .channels = alpha ? 4 : 3,
-                .pixels = {},
-                .bitsPerChannel = 8,
-                .metadata = {}};
+    Image image{
+        .width = static_cast<int>(from.width), .height = static_cast<int>(from.height), .channels = alpha ? 4 : 3, .bitsPerChannel = 8};
     image.pixels.reserve(std::size_t{from.width} * from.height * static_cast<std::size_t>(image.channels));
     for (std::uint32_t y = 0; y < from.height; ++y)
         for (std::uint32_t x = 0; x < from.width; ++x) {

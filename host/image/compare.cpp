@@ -24,14 +24,13 @@ double meanOf(const Image& image) {
 
 Result<double> checkedMean(const Image& image, const Image& reference) {
     if (image.width != reference.width || image.height != reference.height || comparedChannels(image) != comparedChannels(reference))
-        return inputError(5260, {.file = {}, .byte = {}},
+        return inputError(5260, {},
                           fmt::format("the pictures differ in size: {}x{} with {} channels, {}x{} with {}", image.width, image.height,
                                       image.channels, reference.width, reference.height, reference.channels),
                           "render both with one --size");
     const double mean = meanOf(reference);
-    if (!std::isfinite(mean) || !std::isfinite(meanOf(image)))
-        return inputError(5261, {.file = {}, .byte = {}}, "a picture holds values that are not finite");
-    if (mean == 0) return inputError(5261, {.file = {}, .byte = {}}, "the reference is black: relative differences have no meaning");
+    if (!std::isfinite(mean) || !std::isfinite(meanOf(image))) return inputError(5261, {}, "a picture holds values that are not finite");
+    if (mean == 0) return inputError(5261, {}, "the reference is black: relative differences have no meaning");
     return mean;
 }
 
@@ -86,8 +85,7 @@ Result<Difference> compareImages(const Image& image, const Image& reference, dou
 
 Image differenceImage(const Image& image, const Image& reference) {
     const double mean = meanOf(reference);
-    Image difference{.width = image.width, .height = image.height, .channels = 3, .pixels = {}, .metadata = {}};
-    difference.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
+    Image difference = plainImage(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < comparedChannels(image); ++c)

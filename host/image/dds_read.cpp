@@ -155,7 +155,6 @@ Image readImage(const Layout& layout, int mip, std::span<const std::byte> bytes)
     Image image{.width = static_cast<int>(reduced(layout.width, mip)),
                 .height = static_cast<int>(reduced(layout.height, mip)),
                 .channels = format.channels,
-                .pixels = {},
                 .bitsPerChannel = format.bytesPerChannel == 1 ? 8 : 32, // halves are floats, not 16-bit integers
                 .metadata = {}};
     const auto step = static_cast<std::size_t>(format.bytesPerChannel);
@@ -172,7 +171,7 @@ Result<DdsTexture> decode(const Encoded& in) {
     const auto layout = readHeader(in);
     if (!layout) return layout.error();
     if (const auto checked = checkLength(in, *layout); !checked) return checked.error();
-    DdsTexture texture{.format = layout->format->format, .faces = layout->faces, .mips = layout->mips, .images = {}};
+    DdsTexture texture{.format = layout->format->format, .faces = layout->faces, .mips = layout->mips};
     std::size_t offset = layout->firstByte;
     for (int face = 0; face < layout->faces; ++face)
         for (int mip = 0; mip < layout->mips; ++mip) {

@@ -92,7 +92,7 @@ std::array<float, 4> spread(const Image& image, std::size_t pixel) {
 
 Image withChannels(const Image& image, int channels) {
     if (image.channels == channels) return image;
-    Image result{.width = image.width, .height = image.height, .channels = channels, .pixels = {}};
+    Image result{.width = image.width, .height = image.height, .channels = channels};
     const std::size_t count = image.pixels.size() / static_cast<std::size_t>(image.channels);
     for (std::size_t i = 0; i < count; ++i) {
         const std::array<float, 4> rgba = spread(image, i);

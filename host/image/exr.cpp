@@ -234,9 +234,7 @@ Result<Image> readPart(const Encoded& in, MemoryInput& stream) {
     Image image{.width = window.max.x - window.min.x + 1,
                 .height = window.max.y - window.min.y + 1,
                 .channels = static_cast<int>(names->size()),
-                .pixels = {},
-                .bitsPerChannel = bitsOf(header.channels(), *names),
-                .metadata = {}};
+                .bitsPerChannel = bitsOf(header.channels(), *names)};
     constexpr int kBand = 64; // memory grows as data is found, not by the header's word
     for (int y = window.min.y; y <= window.max.y; y += kBand)
         readBand(file, window, *names, y, std::min(y + kBand - 1, window.max.y), image);

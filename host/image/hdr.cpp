@@ -103,7 +103,7 @@ Result<Image> readHead(const Encoded& in, HdrReader& file) {
         !number(between + kBetween.size(), size->size(), width))
         return unsupported(in, fmt::format("an HDR picture with the size '{}'", *size), "rows must run from the top: -Y HEIGHT +X WIDTH");
     if (const auto error = sizeError(in, width, height)) return *error;
-    return Image{.width = static_cast<int>(width), .height = static_cast<int>(height), .channels = 3, .pixels = {}};
+    return Image{.width = static_cast<int>(width), .height = static_cast<int>(height), .channels = 3};
 }
 
 } // namespace

@@ -15,6 +15,12 @@
 
 namespace tegument {
 
+Image plainImage(int width, int height, int channels, float value) {
+    Image image{.width = width, .height = height, .channels = channels};
+    image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels), value);
+    return image;
+}
+
 namespace codec {
 
 Error truncated(const Encoded& in, std::size_t byte, const std::string& detail) {
@@ -98,8 +104,7 @@ codec::Samples8 toSamples(const Image& image, PngEncoding encoding) {
     codec::Samples8 samples{.width = static_cast<std::uint32_t>(image.width),
                             .height = static_cast<std::uint32_t>(image.height),
                             .channels = keepAlpha || !hasAlpha ? image.channels : image.channels - 1,
-                            .srgb = encoding != PngEncoding::Raw,
-                            .bytes = {}};
+                            .srgb = encoding != PngEncoding::Raw};
     const auto stride = static_cast<std::size_t>(image.channels);
     samples.bytes.reserve(image.pixels.size());
     for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += stride)
@@ -142,8 +147,7 @@ Result<void> writeJpeg(const std::filesystem::path& path, const Image& image) {
     codec::Samples8 samples{.width = static_cast<std::uint32_t>(image.width),
                             .height = static_cast<std::uint32_t>(image.height),
                             .channels = image.channels < 3 ? 1 : 3,
-                            .srgb = false,
-                            .bytes = {}};
+                            .srgb = false};
     for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += static_cast<std::size_t>(image.channels))
         for (std::size_t c = 0; c < static_cast<std::size_t>(samples.channels); ++c)
             samples.bytes.push_back(toByte(image.pixels[pixel + c]));
@@ -155,12 +159,8 @@ Result<void> writeJpeg(const std::filesystem::path& path, const Image& image) {
 Image displayed(const Image& radiance) {
     assert(consistent(radiance));
     const int channels = radiance.channels < 3 ? 1 : 3;
-    Image image{.width = radiance.width,
-                .height = radiance.height,
-                .channels = channels,
-                .pixels = {},
-                .bitsPerChannel = 8,
-                .metadata = radiance.metadata};
+    Image image{
+        .width = radiance.width, .height = radiance.height, .channels = channels, .bitsPerChannel = 8, .metadata = radiance.metadata};
     image.pixels.reserve(radiance.pixels.size() / static_cast<std::size_t>(radiance.channels) * static_cast<std::size_t>(channels));
     for (std::size_t pixel = 0; pixel < radiance.pixels.size(); pixel += static_cast<std::size_t>(radiance.channels))
         for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)

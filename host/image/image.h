@@ -30,6 +30,9 @@ struct Image {
     [[nodiscard]] float at(int x, int y, int channel) const { return const_cast<Image*>(this)->at(x, y, channel); }
 };
 
+/// Every number of every pixel is `value`.
+[[nodiscard]] Image plainImage(int width, int height, int channels, float value = 0);
+
 /// IEC 61966-2-1.
 [[nodiscard]] float srgbToLinear(float encoded);
 [[nodiscard]] float linearToSrgb(float linear);

@@ -126,9 +126,7 @@ Result<Image> readPixels(const Encoded& in, Reader& reader) {
     Image image{.width = static_cast<int>(jpeg.output_width),
                 .height = static_cast<int>(jpeg.output_height),
                 .channels = jpeg.output_components,
-                .pixels = {},
-                .bitsPerChannel = 8,
-                .metadata = {}};
+                .bitsPerChannel = 8};
     reader.row.resize(std::size_t{jpeg.output_width} * static_cast<std::size_t>(jpeg.output_components));
     while (jpeg.output_scanline < jpeg.output_height) {
         if (!readRow(reader)) return readError(in, reader);

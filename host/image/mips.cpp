@@ -60,9 +60,7 @@ Image halved(const Image& image) {
     Image half{.width = std::max(image.width / 2, 1),
                .height = std::max(image.height / 2, 1),
                .channels = image.channels,
-               .pixels = {},
-               .bitsPerChannel = image.bitsPerChannel,
-               .metadata = {}};
+               .bitsPerChannel = image.bitsPerChannel};
     half.pixels.reserve(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height) *
                         static_cast<std::size_t>(half.channels));
     const std::vector<Cover> across = covers(image.width, half.width);

@@ -119,9 +119,7 @@ Result<Image> readPixels(const Encoded& in, Reader& reader) {
     Image image{.width = static_cast<int>(width),
                 .height = static_cast<int>(height),
                 .channels = png_get_channels(reader.png, reader.info),
-                .pixels = {},
-                .bitsPerChannel = png_get_bit_depth(reader.png, reader.info),
-                .metadata = {}};
+                .bitsPerChannel = png_get_bit_depth(reader.png, reader.info)};
     convert(bytes, image.bitsPerChannel, image.pixels);
     copyText(reader, image);
     return image;

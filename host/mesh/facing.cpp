@@ -120,12 +120,8 @@ std::optional<Diagnostic> facingFault(const Facing& facing, const std::string& f
     constexpr double kOpposed = 0.01; // a surface without two sides, or two parts that were joined, have less
     constexpr double kDoubled = 0.5;  // leaves and cloth are drawn so on purpose, but are seldom most of a mesh
     const auto warning = [&](int code, std::string text) {
-        return Diagnostic{.severity = Severity::Warning,
-                          .code = code,
-                          .at = {.file = file, .byte = {}},
-                          .text = std::move(text),
-                          .hint = "effects draw and light their front only: tegument prep MESH --orient -o NEW.glb turns them",
-                          .sourceLine = {}};
+        return inputWarning(code, {.file = file}, std::move(text),
+                            "effects draw and light their front only: tegument prep MESH --orient -o NEW.glb turns them");
     };
     if (facing.doubled > kDoubled)
         return warning(5334, fmt::format("{:.0f} % of the triangles are there twice, once for each side", 100 * facing.doubled));

@@ -105,8 +105,7 @@ Result<GltfDocument::Run> GltfDocument::describe(const GltfValue& accessor, std:
     if (componentSize(*type) == 0) return accessor.wrong(fmt::format("has the unknown componentType {}", *type));
     if (componentsOf(accessor.text("type")) != components)
         return accessor.wrong(fmt::format("is of type '{}', but {} components are needed", accessor.text("type"), components));
-    const Run shape{
-        .bytes = {}, .stride = 0, .count = *count, .componentType = *type, .components = components, .normalized = isNormalized(accessor)};
+    const Run shape{.stride = 0, .count = *count, .componentType = *type, .components = components, .normalized = isNormalized(accessor)};
     if (!accessor.has("bufferView")) {
         // zeros need no bytes in the file, so the size of the file is the only measure for a count that means no harm
         if (*count > source_->bytes.size())
@@ -146,7 +145,7 @@ std::optional<Error> GltfDocument::applySparse(const GltfValue& accessor, const 
     if (!indexType) return indexType.error();
     if (*indexType != kUnsignedByte && *indexType != kUnsignedShort && *indexType != kUnsignedInt)
         return sparse.wrong("has indices that are not unsigned integers");
-    const auto where = place(sparse["indices"], {.bytes = {}, .stride = 0, .count = *count, .componentType = *indexType, .components = 1});
+    const auto where = place(sparse["indices"], {.stride = 0, .count = *count, .componentType = *indexType, .components = 1});
     if (!where) return where.error();
     Run wanted = shape;
     wanted.count = *count;

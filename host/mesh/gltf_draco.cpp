@@ -14,7 +14,7 @@ namespace {
 Result<DracoMesh::Values> valuesOf(const draco::Mesh& mesh, std::uint32_t id, const GltfValue& from, const GltfValue& accessor) {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(id);
     if (!attribute) return from.wrong(fmt::format("names attribute {}, which the compressed mesh has not", id));
-    DracoMesh::Values values{.components = static_cast<std::size_t>(attribute->num_components()), .numbers = {}};
+    DracoMesh::Values values{.components = static_cast<std::size_t>(attribute->num_components())};
     values.numbers.resize(values.components * mesh.num_points());
     for (std::uint32_t point = 0; point < mesh.num_points(); ++point) {
         const draco::AttributeValueIndex at = attribute->mapped_index(draco::PointIndex(point));
@@ -43,7 +43,7 @@ Result<DracoMesh> readDraco(const GltfDocument& document, const GltfValue& primi
     if (!decoded.ok()) return extension.wrong(fmt::format("cannot be decoded: {}", decoded.status().error_msg_string()));
     const draco::Mesh& mesh = *decoded.value();
     if (mesh.num_points() > kMaxVertices || std::size_t{mesh.num_faces()} * 3 > kMaxIndices) return tooLarge(extension.source().whole());
-    DracoMesh result{.vertices = mesh.num_points(), .corners = {}, .attributes = {}};
+    DracoMesh result{.vertices = mesh.num_points()};
     for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
         for (int c = 0; c < 3; ++c) {
             result.corners.push_back(mesh.face(draco::FaceIndex(f))[static_cast<std::size_t>(c)].value());

@@ -180,7 +180,7 @@ bool layOutMaterials(std::span<const DrawnMaterial> materials, std::span<const s
             return colour ? material.colour : material.normal;
         };
         if (std::ranges::none_of(materials, [&](const DrawnMaterial& material) { return of(material).has_value(); })) continue;
-        Image sheet{.width = size.x, .height = size.y, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+        Image sheet{.width = size.x, .height = size.y, .channels = 4, .bitsPerChannel = 8};
         sheet.pixels.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4, 1.0F);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             draw(materials[i], of(materials[i]), colour, cells[i], sheet);

@@ -154,7 +154,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
         path, {.unitMm = options.unitMm, .guessUnit = options.guessUnit, .ownCoordinates = options.ownCoordinates, .roots = options.roots});
     if (!file) return file.error();
     Mesh mesh = std::move(file->mesh);
-    const Source source{.path = path, .bytes = {}, .unitMm = mesh.unitMm};
+    const Source source{.path = path, .unitMm = mesh.unitMm};
     if (file->counts.smallFaces > 0)
         meshfile::warn(mesh, 5322, source.whole(),
                        fmt::format("{} faces of fewer than three corners are left out", file->counts.smallFaces));
@@ -220,13 +220,10 @@ std::optional<double> likelyUnit(const Bounds& bounds, double unitMm) {
 
 Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, double unitMm, double likely) {
     const double side = greatestSide(bounds);
-    return {.severity = Severity::Warning,
-            .code = 5327,
-            .at = {.file = path.string(), .byte = {}},
-            .text = fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
-                                lengthText(side), likely, lengthText(side / unitMm * likely)),
-            .hint = "effects have true sizes: say what one unit of the file is with --unit-mm X",
-            .sourceLine = {}};
+    return inputWarning(5327, {.file = path.string()},
+                        fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
+                                    lengthText(side), likely, lengthText(side / unitMm * likely)),
+                        "effects have true sizes: say what one unit of the file is with --unit-mm X");
 }
 
 Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options) {

@@ -120,12 +120,7 @@ std::string_view nextWord(std::string_view& line) {
 }
 
 void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint) {
-    mesh.warnings.push_back({.severity = Severity::Warning,
-                             .code = code,
-                             .at = std::move(at),
-                             .text = std::move(text),
-                             .hint = std::move(hint),
-                             .sourceLine = {}});
+    mesh.warnings.push_back(inputWarning(code, std::move(at), std::move(text), std::move(hint)));
 }
 
 void copyVertex(Mesh& mesh, std::uint32_t vertex) {

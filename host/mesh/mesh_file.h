@@ -36,8 +36,8 @@ struct Source {
 
     [[nodiscard]] std::string name() const { return path.string(); }
     [[nodiscard]] SourcePosition atByte(std::size_t byte) const { return {.file = name(), .byte = byte}; }
-    [[nodiscard]] SourcePosition atLine(int line) const { return {.file = name(), .line = line, .column = 1, .byte = {}}; }
-    [[nodiscard]] SourcePosition whole() const { return {.file = name(), .byte = {}}; }
+    [[nodiscard]] SourcePosition atLine(int line) const { return {.file = name(), .line = line, .column = 1}; }
+    [[nodiscard]] SourcePosition whole() const { return {.file = name()}; }
 };
 
 inline constexpr int kOutside = 1014;

@@ -105,7 +105,7 @@ bool useColoursOfParts(const Source& source, const std::map<std::string, ObjColo
     if (each.size() < 2 || source.ownCoordinates || std::ranges::any_of(each, isTiled)) return false;
     std::vector<DrawnMaterial> materials;
     for (const ObjColour& colour : each) {
-        materials.push_back({.colour = {}, .normal = {}, .factor = colour.diffuse});
+        materials.push_back({.factor = colour.diffuse});
         if (!colour.map.empty()) materials.back().colour = colourMap(source, colour.map, read.mesh);
     }
     return std::ranges::any_of(materials, &DrawnMaterial::hasPicture) && layOutMaterials(materials, ofPart, read);
@@ -151,7 +151,7 @@ void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
 
 void useColourSheet(const Source& source, const std::vector<std::string>& pictures, Mesh& mesh) {
     std::vector<std::optional<Image>> images;
-    Image sheet{.width = 1, .height = 1, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image sheet{.width = 1, .height = 1, .channels = 4, .bitsPerChannel = 8};
     for (const std::string& picture : pictures) {
         images.push_back(colourMap(source, objFileIn(source.path.parent_path(), picture), mesh));
         if (!images.back()) continue;

@@ -83,7 +83,7 @@ void settlePlace(const std::filesystem::path& path, ReadMesh& file) {
     Mesh& mesh = file.mesh;
     const bool exact = !file.exact.empty();
     const Box box = boxOf(file);
-    const SourcePosition at{.file = path.string(), .byte = {}};
+    const SourcePosition at{.file = path.string()};
     if (!exact && file.floats && box.side() > 0 && box.reach() > kLost * box.side())
         warn(mesh, 5329, at,
              fmt::format("the file's coordinates reach {} mm in 32-bit floats, whose steps there are {} mm, of a mesh {} mm long",

@@ -131,7 +131,7 @@ private:
 
     std::optional<Error> readElement(const std::vector<std::string_view>& parts) {
         if (parts.size() != 3) return wrong("an element line is 'element NAME COUNT'");
-        PlyElement element{.name = std::string(parts[1]), .count = 0, .line = header_.lines, .properties = {}};
+        PlyElement element{.name = std::string(parts[1]), .count = 0, .line = header_.lines};
         const auto parsed = std::from_chars(parts[2].data(), parts[2].data() + parts[2].size(), element.count);
         if (parsed.ec != std::errc() || parsed.ptr != parts[2].data() + parts[2].size())
             return wrong(fmt::format("'{}' is not a number of elements", parts[2]));

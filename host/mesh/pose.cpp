@@ -18,7 +18,7 @@ const MeshAttribute* named(const Mesh& mesh, const char* name) {
 void put(Mesh& mesh, const char* name, std::span<const glm::vec3> vectors) {
     assert(vectors.size() == mesh.positions.size());
     std::erase_if(mesh.attributes, [&](const MeshAttribute& attribute) { return attribute.name == name; });
-    MeshAttribute attribute{.name = name, .components = 3, .values = {}};
+    MeshAttribute attribute{.name = name, .components = 3};
     attribute.values.reserve(3 * vectors.size());
     for (const glm::vec3& v : vectors)
         attribute.values.insert(attribute.values.end(), {v.x, v.y, v.z});

@@ -101,7 +101,7 @@ private:
         warn(mesh_, 5323, source_.whole(),
              fmt::format("no node of the scene refers to the file's {} meshes: all are read, where they are", count));
         for (std::size_t i = 0; i < count; ++i)
-            draws_.push_back({.mesh = i, .nodeName = {}, .carrier = GltfCarrier(unit)});
+            draws_.push_back({.mesh = i, .carrier = GltfCarrier(unit)});
     }
 
     /// In reverse, so that the stack gives them back in the file's order.
@@ -412,7 +412,7 @@ std::size_t GltfTextures::numberOf(const Textures& textures, const glm::vec3& fa
 std::optional<Error> GltfTextures::load(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh) {
     const GltfValue textures = document_.root()["textures"];
     if (texture >= textures.size()) return from.wrong(fmt::format("names texture {} of {}", texture, textures.size()));
-    const auto [known, isNew] = pictures_.emplace(std::pair(role, texture), Picture{.path = from.path(), .image = {}});
+    const auto [known, isNew] = pictures_.emplace(std::pair(role, texture), Picture{.path = from.path()});
     if (!isNew) return std::nullopt;
     const auto image = textures[texture].whole("source", SIZE_MAX, {});
     if (!image) { // an extension names it, in a form that is not read
@@ -438,7 +438,7 @@ std::optional<Error> GltfTextures::load(const std::string& role, std::size_t tex
 }
 
 DrawnMaterial GltfTextures::drawn(std::size_t material) const {
-    DrawnMaterial drawn{.colour = {}, .normal = {}, .factor = materials_[material].factor};
+    DrawnMaterial drawn{.factor = materials_[material].factor};
     for (const auto& [role, texture] : materials_[material].textures) {
         const Picture& picture = pictures_.at({role, texture});
         (role == "color" ? drawn.colour : drawn.normal) = picture.image;
@@ -770,8 +770,7 @@ private:
             auto known = std::ranges::find(mesh_.attributes, other.name, &MeshAttribute::name);
             if (known == mesh_.attributes.end())
                 known = mesh_.attributes.insert(
-                    known,
-                    {.name = other.name, .type = other.type, .normalised = other.normalised, .components = other.components, .values = {}});
+                    known, {.name = other.name, .type = other.type, .normalised = other.normalised, .components = other.components});
             if (known->components != other.components || known->type != other.type) continue;
             known->values.resize(before * known->components, 0);
             known->values.insert(known->values.end(), other.values.begin(), other.values.end());

@@ -66,8 +66,7 @@ private:
         std::string name = section.group.empty() ? section.object : section.group;
         if (!section.material.empty()) name = name.empty() ? section.material : name + ":" + section.material;
         const auto [entry, isNew] = partByName_.emplace(name, parts_.size());
-        if (isNew)
-            parts_.push_back(std::make_unique<Part>(Part{.name = name, .material = section.material, .indices = {}, .polygons = {}}));
+        if (isNew) parts_.push_back(std::make_unique<Part>(Part{.name = name, .material = section.material}));
         return *parts_[entry->second];
     }
 

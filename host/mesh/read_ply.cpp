@@ -52,7 +52,7 @@ double fullOne(NumberType type) {
     return type == NumberType::Uint16 ? 65535 : 1;
 }
 
-/// What stands for 1 in them is their greatest number: host/mesh/vertex_values.h.
+/// What stands for 1 in them is their greatest number: meshprep/fur/roots/vertex_values.h.
 bool isSmall(NumberType type) {
     return type == NumberType::Int8 || type == NumberType::Uint8 || type == NumberType::Int16 || type == NumberType::Uint16;
 }
@@ -138,8 +138,7 @@ private:
         for (const std::size_t other : layout.others)
             mesh().attributes.push_back({.name = element.properties[other].name,
                                          .type = element.properties[other].type,
-                                         .normalised = isSmall(element.properties[other].type),
-                                         .values = {}});
+                                         .normalised = isSmall(element.properties[other].type)});
         std::vector<double> row;
         for (std::uint64_t i = 0; i < element.count; ++i) {
             values_.nextRow(element, row);

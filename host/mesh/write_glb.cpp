@@ -374,7 +374,7 @@ private:
         text.resize((text.size() + 3) / 4 * 4, ' ');
         const std::size_t length = 12 + 8 + text.size() + (binary_.empty() ? 0 : 8 + binary_.size());
         if (length > std::numeric_limits<std::uint32_t>::max())
-            return inputError(5330, {.byte = {}}, fmt::format("the mesh needs {} bytes as glb, whose limit is 4 GiB", length), "reduce it");
+            return inputError(5330, {}, fmt::format("the mesh needs {} bytes as glb, whose limit is 4 GiB", length), "reduce it");
         std::string glb = "glTF";
         glb.reserve(length);
         const auto word = [&](std::size_t value) {

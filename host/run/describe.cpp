@@ -86,7 +86,7 @@ std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects, 
 
 SessionPass describe(const DrawStep& step, const Prepared& prepared, int object) {
     const PassUse& use = prepared.programs.at(step.pass)->use;
-    SessionPass pass{.name = step.pass->name, .object = object, .targets = {}, .reads = {}, .writes = {}};
+    SessionPass pass{.name = step.pass->name, .object = object};
     for (std::size_t slot = 0; slot < step.colors.size(); ++slot) {
         if (!step.colors[slot]) continue;
         pass.targets.push_back(callersName(*step.colors[slot]));
@@ -105,9 +105,6 @@ SessionPass describe(const DrawStep& step, const Prepared& prepared, int object)
 
 SessionFrame describe(std::span<const ObjectRun> objects, const Frame& frame, const gpu::DeviceInfo& device) {
     SessionFrame described{.technique = objects.front().prepared.plan.technique->name,
-                           .passes = {},
-                           .resolveMilliseconds = {},
-                           .produced = {},
                            .targets = ownTargets(objects),
                            .parameters = ownParameters(objects),
                            .metadata = metadata(objects, device),

@@ -137,7 +137,7 @@ Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& sha
     }
     for (const Resource& resource : reflection.resources) {
         if (!resource.used) continue;
-        gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = {}};
+        gpu::BoundResource bound{.set = resource.set, .binding = resource.binding};
         if (resource.kind == ResourceKind::Sampler || resource.kind == ResourceKind::CompareSampler)
             bound.resource = builder.resources.kit.samplers.at(resource.name).get();
         else if (resource.kind == ResourceKind::StorageImage)
@@ -248,8 +248,7 @@ void useCoarser(const Builder& builder, const Extent& viewport, gpu::Draw& draw)
 Result<void> addDraw(Builder& builder, const DrawStep& step) {
     const auto instances = instancesOf(builder, step);
     if (!instances) return instances.error();
-    FrameDraw item{
-        .described = describe(step, builder.prepared, builder.object), .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
+    FrameDraw item{.described = describe(step, builder.prepared, builder.object), .targets = targetsOf(builder, step)};
     const auto pipeline = pipelineFor(builder, step, item.targets);
     if (!pipeline) return pipeline.error();
     const Geometry& geometry =
@@ -306,7 +305,7 @@ Result<void> addDispatch(Builder& builder, const DrawStep& step) {
     if (!groups) return groups.error();
     const auto pipeline = computePipelineFor(builder, *step.pass, program);
     if (!pipeline) return pipeline.error();
-    FrameDraw item{.described = describe(step, builder.prepared, builder.object), .targets = {}, .draw = {}, .blocks = {}};
+    FrameDraw item{.described = describe(step, builder.prepared, builder.object)};
     item.groups = *groups;
     item.draw.pipeline = *pipeline;
     for (const std::string& name : program.use.stored)

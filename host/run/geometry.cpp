@@ -84,7 +84,7 @@ Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* m
         return inputError(4040, pass.at, fmt::format("pass {} draws a mesh, and there is none", pass.name),
                           "name one with --mesh or in the workspace");
     if (mesh->uvs.empty() && !without.drawn && (reads(vertex, "TEXCOORD0") || reads(vertex, "TANGENT0")))
-        return inputError(4041, {.file = mesh->name, .byte = {}},
+        return inputError(4041, {.file = mesh->name},
                           fmt::format("the mesh has no texture coordinates (UVs), and pass {} needs them", pass.name),
                           "tegument prep MESH --unwrap -o NEW.glb makes some" +
                               (without.instead.empty() ? "" : fmt::format("; without them draw: {}", without.instead)));

@@ -165,7 +165,7 @@ void followClear(const FrameClear& clear, Follower& follower, HeldItem item) {
 }
 
 void follow(const FrameItem& item, bool node, Follower& follower) {
-    HeldItem followed{.node = node, .writes = {}, .reads = {}};
+    HeldItem followed{.node = node};
     if (const auto* draw = std::get_if<FrameDraw>(&item)) return followDraw(*draw, follower, std::move(followed));
     if (const auto* clear = std::get_if<FrameClear>(&item)) return followClear(*clear, follower, std::move(followed));
     if (const auto* mips = std::get_if<FrameMips>(&item)) {

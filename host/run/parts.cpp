@@ -30,7 +30,7 @@ Error noSuchPart(const Pass& pass, const std::string& part, const Mesh& mesh) {
     std::vector<std::string> names;
     for (const MeshPart& other : mesh.parts)
         names.push_back(other.name);
-    return inputError(4060, {.file = mesh.name, .byte = {}},
+    return inputError(4060, {.file = mesh.name},
                       fmt::format("pass {} draws the mesh's part '{}', and there is none: it has {}", pass.name, part,
                                   names.empty() ? "no parts" : fmt::format("{}", fmt::join(names, ", "))),
                       "name a primitive of the glTF file so");

@@ -36,7 +36,7 @@ public:
     Result<void> targetsChanged(const BoundTargets&) override { return {}; }
 
     Result<void> clear(ClearKind what, int index, const ScriptState& state) override {
-        ClearStep step{.target = {}, .what = what};
+        ClearStep step{.what = what};
         if (what == ClearKind::Color) {
             const auto& bound = state.targets.colors[static_cast<std::size_t>(index)];
             if (!bound) return {};
@@ -168,7 +168,7 @@ std::set<const Pass*> Plan::passes() const {
 
 Result<Plan> planFrame(const Effect& effect, const std::string& technique, const Values& values, const std::array<float, 4>& background) {
     if (effect.techniques.empty())
-        return inputError(4001, {.file = effect.file.string(), .byte = {}}, "this effect has no technique to run",
+        return inputError(4001, {.file = effect.file.string()}, "this effect has no technique to run",
                           effect.ownDialect ? "techniques stand inside #ifdef FX_TECHNIQUES"
                                             : "functions alone need one to be drawn: technique T { pass P { VertexShader = compile vs_3_0 "
                                               "V(); PixelShader = compile ps_3_0 P(); } }");

@@ -111,12 +111,8 @@ Result<void> avoidFeedback(DrawStep& draw, const PassUse& use, const Completion&
         const std::string copy = fmt::format("<copy of {}>", *name);
         if (with.added->copies.emplace(copy, *name).second)
             with.warnings.push_back(
-                {.severity = Severity::Warning,
-                 .code = 4024,
-                 .at = draw.pass->at,
-                 .text = text + ": it reads a copy of what was there before",
-                 .hint = "what a device of Direct3D does then is not defined; draw into a second target and swap the two",
-                 .sourceLine = {}});
+                inputWarning(4024, draw.pass->at, text + ": it reads a copy of what was there before",
+                             "what a device of Direct3D does then is not defined; draw into a second target and swap the two"));
         draw.copies.emplace(*name, copy);
         steps.emplace_back(CopyStep{.from = *name, .to = copy});
     }
@@ -177,12 +173,9 @@ private:
     void sample(const std::string& name, const DrawStep& step, std::vector<Step>& steps) {
         if (!known_.contains(name) && !with_.shapes.at(name).keeps) {
             with_.warnings.push_back(
-                {.severity = Severity::Warning,
-                 .code = 4026,
-                 .at = step.pass->at,
-                 .text = fmt::format("pass {} samples {} before anything was drawn into it: it reads zeros", step.pass->name, name),
-                 .hint = "clear the target in the script, or draw into it first",
-                 .sourceLine = {}});
+                inputWarning(4026, step.pass->at,
+                             fmt::format("pass {} samples {} before anything was drawn into it: it reads zeros", step.pass->name, name),
+                             "clear the target in the script, or draw into it first"));
             addClear(name, with_.shapes.at(name).depth);
         }
         if (with_.shapes.at(name).mips != 1 && stale_.erase(name) > 0) steps.emplace_back(MipStep{name});

@@ -20,7 +20,7 @@ Result<void> checkSize(const RunInput& input) {
             return usageError(4004, fmt::format("a picture of {} x {} pixels cannot be drawn", options.width, options.height),
                               fmt::format("each side is 1 to {}", kMaxExtent));
     if (options.samples != 1 && options.samples != 2 && options.samples != 4 && options.samples != 8)
-        return inputError(4007, {.file = input.effect.file.string(), .byte = {}},
+        return inputError(4007, {.file = input.effect.file.string()},
                           fmt::format("a picture of {} samples a pixel cannot be drawn", options.samples), "1, 2, 4 or 8");
     return {};
 }
@@ -36,8 +36,8 @@ Result<void> checkTextureNames(const RunInput& input) {
                    (parameter.name == name || equalsIgnoreCase(parameter.semantic, name));
         });
         if (!known)
-            return inputError(4010, {.file = input.effect.file.string(), .byte = {}},
-                              fmt::format("no texture '{}' to set to {}", name, file), didYouMean(name, names));
+            return inputError(4010, {.file = input.effect.file.string()}, fmt::format("no texture '{}' to set to {}", name, file),
+                              didYouMean(name, names));
     }
     return {};
 }
@@ -205,12 +205,9 @@ Result<void> checkNumbers(const RunInput& input, const Prepared& prepared) {
 void warnUneven(const RunInput& input, Prepared& prepared) {
     if (!input.placed || isEvenlyScaled(input.placed->placement)) return;
     const glm::vec3& scale = input.placed->placement.scale;
-    prepared.warnings.push_back({.severity = Severity::Warning,
-                                 .code = 4053,
-                                 .at = {.file = input.effect.file.string(), .byte = {}},
-                                 .text = fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
-                                 .hint = "maps that were made of the mesh keep its own measures: scale the mesh before they are made",
-                                 .sourceLine = {}});
+    prepared.warnings.push_back(inputWarning(4053, {.file = input.effect.file.string()},
+                                             fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
+                                             "maps that were made of the mesh keep its own measures: scale the mesh before they are made"));
 }
 
 /// Techniques that are gone leave their names to those that draw in their place.
@@ -218,12 +215,7 @@ void warnOfFormerName(const RunInput& input, Prepared& prepared) {
     const std::string& asked = input.options.technique;
     const Technique* drawn = asked.empty() ? nullptr : input.effect.findTechnique(asked);
     if (drawn == nullptr || equalsIgnoreCase(drawn->name, asked)) return;
-    prepared.warnings.push_back({.severity = Severity::Warning,
-                                 .code = 4082,
-                                 .at = drawn->at,
-                                 .text = fmt::format("technique {} is gone: {} is drawn", asked, drawn->name),
-                                 .hint = {},
-                                 .sourceLine = {}});
+    prepared.warnings.push_back(inputWarning(4082, drawn->at, fmt::format("technique {} is gone: {} is drawn", asked, drawn->name)));
 }
 
 void gatherReads(Prepared& prepared) {

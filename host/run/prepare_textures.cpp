@@ -38,7 +38,7 @@ bool isCube(const Parameter& parameter) {
 
 TextureData fromImage(const Parameter& parameter, Image image, bool mips) {
     const bool srgb = isSrgb(parameter);
-    TextureData texture{.image = std::move(image), .format = {}, .decode = false, .mips = mips, .key = {}, .file = {}};
+    TextureData texture{.image = std::move(image), .format = {}, .decode = false, .mips = mips, .file = {}};
     texture.format = formatFor(texture.image, srgb);
     texture.decode = srgb && texture.image.bitsPerChannel == 16; // float files are linear already, 8 bits are decoded by the sampler
     return texture;
@@ -53,7 +53,7 @@ TextureData fromDds(const Parameter& parameter, DdsTexture file, bool mips) {
 
 TextureData fromConstant(const Parameter& parameter, const ConstantSource& constant) {
     const Image texel{.width = 1, .height = 1, .channels = 4, .pixels = {constant.begin(), constant.end()}};
-    TextureData texture{.image = texel, .format = PixelFormat::RGBA32F, .decode = false, .mips = false, .key = {}, .file = {}};
+    TextureData texture{.image = texel, .format = PixelFormat::RGBA32F, .decode = false, .mips = false, .file = {}};
     if (isCube(parameter)) texture.file = {.format = DdsFormat::Rgba32F, .faces = 6, .mips = 1, .images = std::vector<Image>(6, texel)};
     return texture;
 }
@@ -79,13 +79,10 @@ void warnOutside(const Parameter& parameter, const Image& image, std::vector<Dia
         beyond += static_cast<double>(image.pixels[i * channels]) > most->front() + kByte ? 1 : 0;
     if (beyond == 0) return;
     warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4034,
-         .at = parameter.at,
-         .text = fmt::format("{:.2f} % of the texels of {} are above {:g}",
-                             100.0 * static_cast<double>(beyond) / static_cast<double>(count), parameter.name, most->front()),
-         .hint = parameter.annotations.string("UIHelp").value_or("the effect was tested up to UIMax only"),
-         .sourceLine = {}});
+        inputWarning(4034, parameter.at,
+                     fmt::format("{:.2f} % of the texels of {} are above {:g}",
+                                 100.0 * static_cast<double>(beyond) / static_cast<double>(count), parameter.name, most->front()),
+                     parameter.annotations.string("UIHelp").value_or("the effect was tested up to UIMax only")));
 }
 
 /// What a look-up compares with is a depth: the first channel, in the one format that every device compares and the host can fill. Other
@@ -135,12 +132,9 @@ std::string originOf(const TextureSource& source) {
 Diagnostic notLoaded(const Parameter& parameter, const Error& error, const std::string& standIn) {
     const std::string why = error.diagnostics.empty() ? std::string("it cannot be read") : error.diagnostics.front().text;
     const std::string name = parameter.annotations.string("ResourceName").value_or("");
-    return {.severity = Severity::Warning,
-            .code = 4031,
-            .at = parameter.at,
-            .text = fmt::format("{}, the texture of {}: {}; a plain picture, {}, stands in", name, parameter.name, why, standIn),
-            .hint = fmt::format("convert it to PNG and give that: --set {}=FILE", parameter.name),
-            .sourceLine = {}};
+    return inputWarning(4031, parameter.at,
+                        fmt::format("{}, the texture of {}: {}; a plain picture, {}, stands in", name, parameter.name, why, standIn),
+                        fmt::format("convert it to PNG and give that: --set {}=FILE", parameter.name));
 }
 
 Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& source, bool mips, std::vector<Diagnostic>& warnings) {
@@ -223,26 +217,21 @@ void paint(const RunInput& input, const Parameter& parameter, TextureSource& sou
     if (!constant || !skin || !equalsIgnoreCase(parameter.semantic, "DIFFUSE")) return;
     *constant = *skin;
     const bool coloured = input.mesh && !input.mesh->colors.empty();
-    warnings.push_back({.severity = Severity::Warning,
-                        .code = 4056,
-                        .at = {.file = input.mesh ? input.mesh->name : input.effect.file.string(), .byte = {}},
-                        .text = fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g}){}", (*skin)[0], (*skin)[1],
-                                            (*skin)[2], coloured ? ", and the colours of the mesh's vertices are not drawn" : ""),
-                        .hint = fmt::format("{}--set {}=FILE gives one", coloured ? "bake them into a picture: " : "", parameter.name),
-                        .sourceLine = {}});
+    warnings.push_back(
+        inputWarning(4056, {.file = input.mesh ? input.mesh->name : input.effect.file.string()},
+                     fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g}){}", (*skin)[0], (*skin)[1], (*skin)[2],
+                                 coloured ? ", and the colours of the mesh's vertices are not drawn" : ""),
+                     fmt::format("{}--set {}=FILE gives one", coloured ? "bake them into a picture: " : "", parameter.name)));
 }
 
 /// A texture that a library would make from the mesh, and a constant stands in: fur would be bald, and skin without its links.
 void warnOfNothingMade(const RunInput& input, const Parameter& parameter, const TextureSource& source, std::vector<Diagnostic>& warnings) {
     const auto generator = parameter.annotations.string("Generator");
     if (!generator || !input.mesh || input.options.assets.make || !std::holds_alternative<ConstantSource>(source)) return;
-    warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4080,
-         .at = parameter.at,
-         .text = fmt::format("nothing makes {} ('{}') for {}: a constant stands in for it", parameter.name, *generator, input.mesh->name),
-         .hint = "set RunOptions::assets (Tegument::assets has meshAssets()), or give a file",
-         .sourceLine = {}});
+    warnings.push_back(inputWarning(
+        4080, parameter.at,
+        fmt::format("nothing makes {} ('{}') for {}: a constant stands in for it", parameter.name, *generator, input.mesh->name),
+        "set RunOptions::assets (Tegument::assets has meshAssets()), or give a file"));
 }
 
 Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
@@ -258,7 +247,7 @@ Result<TextureData> load(const RunInput& input, const Parameter& parameter, cons
     const bool mips = wantsMips(input.effect, parameter.name);
     std::string key = keyOf(source, parameter, mips) + (compared ? " depth" : "");
     const bool there = (input.uploaded && input.uploaded->contains(key)) || (input.loaded && input.loaded->contains(key));
-    if (there) return TextureData{.image = {}, .format = {}, .key = std::move(key), .file = {}};
+    if (there) return TextureData{.format = {}, .key = std::move(key), .file = {}};
     auto texture = fromSource(parameter, source, mips, warnings);
     if (texture && compared) toDepth(*texture);
     if (texture) texture->key = std::move(key);
@@ -295,7 +284,7 @@ Result<void> prepareTextures(const RunInput& input, Prepared& prepared) {
         if (prepared.targets.contains(name)) continue;
         const Parameter* parameter = input.effect.findParameter(name);
         if (!parameter)
-            return inputError(4005, {.file = input.effect.file.string(), .byte = {}},
+            return inputError(4005, {.file = input.effect.file.string()},
                               fmt::format("a shader samples {}, which the effect does not declare outside FX_ENTRY", name),
                               "declare it outside the #ifdef");
         if (parameter->type.base != BaseType::Texture2D && !isCube(*parameter))

@@ -18,7 +18,7 @@ constexpr int kChecks = 8; // squares along a side
 using Texel = std::array<float, 4>;
 
 Image drawn(int side, auto texel) {
-    Image image{.width = side, .height = side, .channels = 4, .pixels = {}};
+    Image image{.width = side, .height = side, .channels = 4};
     image.pixels.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {

@@ -19,7 +19,7 @@ namespace {
 constexpr int kProducerPicture = 64;
 
 RunOptions producerOptions(const RunOptions& options, const Effect& effect) {
-    RunOptions own{.technique = {}, .width = kProducerPicture, .height = kProducerPicture, .compiler = options.compiler};
+    RunOptions own{.width = kProducerPicture, .height = kProducerPicture, .compiler = options.compiler};
     own.assets = options.assets;
     own.plainSkin = options.plainSkin;
     own.compiling = options.compiling;
@@ -36,7 +36,7 @@ Result<void> checkProduct(const Effect& effect, const Prepared& prepared, const 
     for (const std::string& name : prepared.plan.targets())
         if (effect.findParameter(name)) drawn.push_back(name);
     if (std::ranges::find(drawn, source.target) != drawn.end()) return {};
-    return inputError(4036, {.file = effect.file.string(), .byte = {}},
+    return inputError(4036, {.file = effect.file.string()},
                       fmt::format("technique {} draws no target '{}'", prepared.plan.technique->name, source.target),
                       didYouMean(source.target, drawn));
 }
@@ -45,8 +45,7 @@ Result<void> checkProduct(const Effect& effect, const Prepared& prepared, const 
 /// moved along. So several heads of one mesh share it.
 std::optional<PlacedObject> inOwnSpace(const RunInput& input) {
     if (!input.placed) return std::nullopt;
-    PlacedObject local{
-        .placement = {}, .scene = seenFrom(input.placed->scene, input.placed->placement), .worldUnitMm = input.placed->worldUnitMm};
+    PlacedObject local{.scene = seenFrom(input.placed->scene, input.placed->placement), .worldUnitMm = input.placed->worldUnitMm};
     local.placement.scale = input.placed->placement.scale;
     return local;
 }
@@ -58,7 +57,7 @@ Result<Producer*> producerOf(Producers& producers, const fs::path& file, const s
     load.roots = consumer.roots;
     auto effect = loadEffect(file, load);
     if (!effect) return effect.error();
-    producer = std::make_shared<Producer>(Producer{.effect = std::move(*effect), .kit = {}});
+    producer = std::make_shared<Producer>(Producer{.effect = std::move(*effect)});
     return producer.get();
 }
 
@@ -74,8 +73,7 @@ Error through(Error error, const Parameter& parameter, const ProducerSource& sou
                                  .code = 4037,
                                  .at = parameter.at,
                                  .text = fmt::format("{} is drawn by {}", parameter.name, source.effect.string()),
-                                 .hint = fmt::format("or give a file: --set {}=FILE", parameter.name),
-                                 .sourceLine = {}});
+                                 .hint = fmt::format("or give a file: --set {}=FILE", parameter.name)});
     return error;
 }
 
@@ -83,7 +81,7 @@ Result<void> withProducer(const ProductRequest& consumer, const ProducerSource& 
                           const std::function<Result<void>(const ProductRequest&, Producer&, Prepared&)>& use) {
     const std::string self = fs::weakly_canonical(source.effect).string();
     if (std::ranges::find(consumer.chain, self) != consumer.chain.end())
-        return inputError(4035, {.file = self, .byte = {}}, "this effect would have to draw a texture that it needs itself",
+        return inputError(4035, {.file = self}, "this effect would have to draw a texture that it needs itself",
                           "producers must not form a circle");
     const auto producer = producerOf(producers, source.effect, self, consumer.input.effect);
     if (!producer) return producer.error();

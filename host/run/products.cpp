@@ -34,9 +34,7 @@ NodeInputs inputsOf(const RunInput& input, const Prepared& prepared) {
     }
     NodeInputs inputs{.mesh = prepared.drawsMesh ? input.mesh : nullptr,
                       .mirrored = prepared.drawsMesh && isMirrored(prepared.scene),
-                      .steps = prepared.plan.steps,
-                      .numbers = {},
-                      .textures = {}};
+                      .steps = prepared.plan.steps};
     for (const std::string& name : names)
         if (const Numbers* value = prepared.values.find(name)) inputs.numbers.emplace(name, *value);
     for (const auto& [name, texture] : prepared.textures)
@@ -130,7 +128,7 @@ Result<void> Products::useFor(const ProductRequest& consumer, Prepared& prepared
     for (const auto& [name, source] : prepared.products) {
         auto key = produce(consumer, source, prepared, due);
         if (!key) return through(key.error(), *consumer.input.effect.findParameter(name), source);
-        prepared.textures.emplace(name, TextureData{.image = {}, .format = {}, .key = std::move(*key), .file = {}});
+        prepared.textures.emplace(name, TextureData{.format = {}, .key = std::move(*key)});
     }
     return {};
 }
@@ -162,8 +160,7 @@ Products::Node& Products::nodeFor(Producer& producer, const RunInput& input, con
     return nodes_.emplace_back(Node{.producer = &producer,
                                     .key = fmt::format("product {}", made_++),
                                     .inputs = std::move(inputs),
-                                    .resources = {device_, store_, producer.kit, {}},
-                                    .wanted = {}});
+                                    .resources = {device_, store_, producer.kit, {}}});
 }
 
 Result<void> Products::schedule(Node& node, const std::string& target, const RunInput& input, Prepared& prepared,

@@ -134,8 +134,6 @@ Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler 
                                 .file = effect.file.string(),
                                 .entry = std::string(key.entry),
                                 .stage = key.stage,
-                                .defines = {},
-                                .includeFolders = {},
                                 .language2018 = own};
     auto shader = compileShader(request, compiler);
     if (shader) return shader;

@@ -109,7 +109,7 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
         if (resources.kit.samplers.contains(name)) continue;
         const Sampler* sampler = input.effect.findSampler(name);
         if (!sampler)
-            return inputError(4005, {.file = input.effect.file.string(), .byte = {}},
+            return inputError(4005, {.file = input.effect.file.string()},
                               fmt::format("a shader samples with {}, which the effect does not declare outside FX_ENTRY", name),
                               didYouMean(name, declared));
         SamplerState state = sampler->state;

@@ -70,7 +70,7 @@ Result<RunResult> runSession(gpu::Device& device, const Effect& effect, SessionS
 
 Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
                             const RunOptions& options) {
-    return runSession(device, effect, {.mesh = mesh, .objects = {}}, workspace, options);
+    return runSession(device, effect, {.mesh = mesh}, workspace, options);
 }
 
 Result<RunResult> runScene(gpu::Device& device, const Effect& effect, std::span<const RunObject> objects, const Workspace& workspace,

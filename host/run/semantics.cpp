@@ -177,7 +177,6 @@ SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture
                     .unitMm = workspace.worldUnitMm,
                     .bounds = mesh ? mesh->bounds : unitBounds(),
                     .seen = mesh ? seenBounds(*mesh) : unitBounds(),
-                    .placed = {},
                     .camera = {},
                     .light = {}};
     scene.placed = placeScene(workspace, scene.seen);

@@ -190,8 +190,8 @@ Result<std::vector<std::string>> targetsToDump(const Effect& effect, const Sessi
             continue;
         }
         if (std::ranges::find(frame.targets, name) == frame.targets.end())
-            return inputError(4029, {.file = effect.file.string(), .byte = {}},
-                              fmt::format("technique {} uses no target '{}'", frame.technique, name), didYouMean(name, frame.targets));
+            return inputError(4029, {.file = effect.file.string()}, fmt::format("technique {} uses no target '{}'", frame.technique, name),
+                              didYouMean(name, frame.targets));
         names.insert(name);
     }
     return std::vector<std::string>(names.begin(), names.end());

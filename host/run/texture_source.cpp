@@ -122,9 +122,7 @@ Error namedBy(const std::string& who, const Parameter& parameter, Error error) {
     error.diagnostics.push_back({.severity = Severity::Note,
                                  .code = 4031,
                                  .at = parameter.at,
-                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, who),
-                                 .hint = {},
-                                 .sourceLine = {}});
+                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, who)});
     return error;
 }
 
@@ -135,7 +133,7 @@ Result<LoadedFile> loadNamed(const Parameter& parameter, const FileSource& sourc
     if (cube == (parameter.type.base == BaseType::TextureCube)) return file;
     const char* what = cube ? "the file is a cube map" : "the file is no cube map";
     return namedBy(source.namedBy, parameter,
-                   inputError(4038, {.file = source.path.string(), .byte = {}},
+                   inputError(4038, {.file = source.path.string()},
                               fmt::format("{} is a {}; {}", parameter.name, parameter.type.name, what),
                               cube ? "give a picture" : "give a DDS file with six faces"));
 }

@@ -25,7 +25,7 @@ std::vector<std::string> namesOf(const Effect& effect) {
 }
 
 SourcePosition fileOnly(std::string file) {
-    return {.file = std::move(file), .byte = {}};
+    return {.file = std::move(file)};
 }
 
 bool fitsInto(BaseType base, double number) {
@@ -70,26 +70,20 @@ void warnOutside(const Parameter& parameter, const Numbers& value, const SourceP
     const auto text = [](const std::optional<Numbers>& bound) {
         return bound && !bound->empty() ? fmt::format("{}", bound->front()) : "open";
     };
-    warnings.push_back({.severity = Severity::Warning,
-                        .code = 4012,
-                        .at = at,
-                        .text = fmt::format("{} is set to {}, outside its range {} .. {}", parameter.name, fmt::join(value, ","),
-                                            text(minimum), text(maximum)),
-                        .hint = "the effect was tested inside UIMin and UIMax only",
-                        .sourceLine = {}});
+    warnings.push_back(inputWarning(
+        4012, at,
+        fmt::format("{} is set to {}, outside its range {} .. {}", parameter.name, fmt::join(value, ","), text(minimum), text(maximum)),
+        "the effect was tested inside UIMin and UIMax only"));
 }
 
 /// A unit that the matrices are not in makes every length wrong.
 void warnOtherUnit(const Parameter& parameter, const Numbers& value, const SceneView& scene, std::vector<Diagnostic>& warnings) {
     if (!equalsIgnoreCase(parameter.semantic, "UNITMM") || value.front() == static_cast<double>(scene.unitMm)) return;
     warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4052,
-         .at = parameter.at,
-         .text = fmt::format("{} is set to {:g}, but one unit of the scene's world is {:g} mm: lengths are {:g} times too long",
-                             parameter.name, value.front(), scene.unitMm, value.front() / static_cast<double>(scene.unitMm)),
-         .hint = "leave it out, and say \"world_unit_mm\" in the workspace",
-         .sourceLine = {}});
+        inputWarning(4052, parameter.at,
+                     fmt::format("{} is set to {:g}, but one unit of the scene's world is {:g} mm: lengths are {:g} times too long",
+                                 parameter.name, value.front(), scene.unitMm, value.front() / static_cast<double>(scene.unitMm)),
+                     "leave it out, and say \"world_unit_mm\" in the workspace"));
 }
 
 Error missing(const Parameter& parameter) {

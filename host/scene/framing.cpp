@@ -112,9 +112,7 @@ Camera frameMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float 
     return {.position = glm::vec3(target + distance * back),
             .target = glm::vec3(target),
             .up = alongUp(up, {0, 1, 0}),
-            .horizontalFov = horizontalFov,
-            .nearPlane = {},
-            .farPlane = {}};
+            .horizontalFov = horizontalFov};
 }
 
 Camera frameTurningMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float horizontalFov, double aspect) {

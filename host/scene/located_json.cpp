@@ -140,7 +140,7 @@ private:
             return false;
         }
         const std::size_t offset = offsetOfNext(kind);
-        open_.push_back({.value = {.kind = kind, .offset = offset}, .key = key_, .known = {}});
+        open_.push_back({.value = {.kind = kind, .offset = offset}, .key = key_});
         return true;
     }
 
@@ -186,8 +186,7 @@ SourcePosition positionAt(std::string_view text, std::size_t offset, const std::
     const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
     return {.file = file,
             .line = static_cast<int>(std::ranges::count(before, '\n')) + 1,
-            .column = static_cast<int>(before.size() - lineStart) + 1,
-            .byte = {}};
+            .column = static_cast<int>(before.size() - lineStart) + 1};
 }
 
 std::string lineAt(std::string_view text, std::size_t offset) {

@@ -29,7 +29,7 @@ public:
 private:
     void readPreset(const std::string& name, const LocatedJson& value) {
         if (!expect(value, LocatedJson::Kind::Object, fmt::format("the preset '{}'", name))) return;
-        Preset preset{.name = name, .comment = {}, .parameters = {}, .at = positionAt(text_, value.offset, path_.string())};
+        Preset preset{.name = name, .at = positionAt(text_, value.offset, path_.string())};
         for (std::size_t i = 0; i < value.items.size() && !error_; ++i) {
             const LocatedJson& item = value.items[i];
             if (value.keys[i] == "comment")

@@ -1,5 +1,6 @@
 #include "host/spirv/cache.h"
 
+#include "host/support/cache.h"
 #include "host/support/file.h"
 
 #include <algorithm>
@@ -9,9 +10,6 @@
 namespace tegument {
 
 namespace {
-
-constexpr std::string_view kMagic = "TGSPIRV1"; // the digit is the format's version: raise it with every change of a reflected struct
-constexpr std::size_t kChecksumSize = 32;
 
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
@@ -117,7 +115,7 @@ void content(Archive& archive, auto& cached) {
 }
 
 std::filesystem::path pathFor(const std::string& key) {
-    return cacheFolder() / "spirv" / (key + ".bin");
+    return std::filesystem::path("spirv") / (key + ".bin");
 }
 
 bool unchanged(const IncludedFile& file) {
@@ -130,15 +128,11 @@ bool unchanged(const IncludedFile& file) {
 std::string encodeShader(const CachedShader& cached) {
     Writer writer;
     content(writer, cached);
-    return std::string(kMagic) + contentHash(writer.bytes) + writer.bytes;
+    return std::move(writer.bytes);
 }
 
 std::optional<CachedShader> decodeShader(std::string_view bytes) {
-    if (!bytes.starts_with(kMagic) || bytes.size() < kMagic.size() + kChecksumSize) return {};
-    const std::string_view checksum = bytes.substr(kMagic.size(), kChecksumSize);
-    const std::string_view payload = bytes.substr(kMagic.size() + kChecksumSize);
-    if (contentHash(payload) != checksum) return {};
-    Reader reader(payload);
+    Reader reader(bytes);
     CachedShader cached;
     content(reader, cached);
     if (!reader.good || reader.left() != 0) return {};
@@ -146,18 +140,14 @@ std::optional<CachedShader> decodeShader(std::string_view bytes) {
 }
 
 std::optional<Shader> loadCachedShader(const std::string& key) {
-    std::error_code code;
-    const std::filesystem::path path = pathFor(key);
-    if (!std::filesystem::is_regular_file(path, code)) return {};
-    const auto bytes = readFile(path);
-    if (!bytes) return {};
-    auto cached = decodeShader(*bytes);
+    const auto bytes = loadCached(pathFor(key));
+    auto cached = bytes ? decodeShader(*bytes) : std::nullopt;
     if (!cached || !std::ranges::all_of(cached->includes, unchanged)) return {};
     return std::move(cached->shader);
 }
 
 void storeCachedShader(const std::string& key, const CachedShader& cached) {
-    if (!writeFile(pathFor(key), encodeShader(cached))) return;
+    storeCached(pathFor(key), encodeShader(cached));
 }
 
 } // namespace tegument

@@ -4,7 +4,7 @@
 #include "host/spirv/instructions.h"
 #include "host/spirv/reflect.h"
 #include "host/spirv/validate.h"
-#include "host/support/file.h"
+#include "host/support/cache.h"
 
 #include <fmt/format.h>
 
@@ -78,21 +78,15 @@ std::string dxcIdentity(dxc::Output output) {
 
 /// `identity`: of the compiler and its flags.
 std::string cacheKey(const ShaderRequest& request, const std::string& identity) {
-    std::string text = identity;
-    const auto add = [&](std::string_view part) { text += fmt::format("\n{} {}", part.size(), part); }; // lengths keep parts apart
-    add(spirv::validatorName());
-    add(request.entry);
-    add(fmt::format("{}", static_cast<int>(request.stage)));
-    if (request.stage == ShaderStage::Compute) add("storage images without formats");
-    for (const auto& [name, value] : request.defines) {
-        add(name);
-        add(value);
-    }
+    CacheKey key(kShaderFormat);
+    key.add(identity).add(spirv::validatorName()).add(request.entry).add(request.stage);
+    if (request.stage == ShaderStage::Compute) key.add("storage images without formats");
+    for (const auto& [name, value] : request.defines)
+        key.add(name).add(value);
     for (const auto& folder : request.includeFolders)
-        add(folder.string());
-    if (request.language2018) add("2018");
-    add(request.code);
-    return contentHash(text);
+        key.add(folder.string());
+    if (request.language2018) key.add("2018");
+    return key.add(request.code).text();
 }
 
 Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler compiler) {
@@ -104,7 +98,7 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
                 : "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
     if (request.stage == ShaderStage::Compute && !spirv::forgetStorageFormats(raw.words))
-        return inputError(3006, {.file = request.file, .byte = {}}, fmt::format("{} writes textures of several types", request.entry),
+        return inputError(3006, {.file = request.file}, fmt::format("{} writes textures of several types", request.entry),
                           "declare every texture that compute shaders write as RWTexture2D<float4>");
     if (const std::string why = spirv::validate(raw.words); !why.empty()) return invalid(why);
     auto reflection = spirv::reflect(raw.words, request.stage, descriptorSet(request.stage), request.file);

@@ -255,7 +255,7 @@ constexpr std::string_view kNoMemory = "memory";
 std::string answerTo(std::string_view message) {
     const std::vector<std::string> parts = unpacked(message);
     if (parts.size() < 5) return {};
-    ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .defines = {}, .includeFolders = {}, .language2018 = true};
+    ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .language2018 = true};
     request.stage = static_cast<ShaderStage>(std::atoi(parts[3].c_str()));
     for (std::size_t i = 5; i + 1 < parts.size(); i += 2)
         request.defines.emplace_back(parts[i], parts[i + 1]);
@@ -304,12 +304,12 @@ Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeR
     if (!made.started) return machineError(3002, "DXC could not be started, or gave no result");
     Messages messages = readDxcMessages(made.log, request.code, request.file);
     if (made.log.find("missing entry point definition") != std::string::npos)
-        return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("there is no function {} to start from", request.entry));
+        return inputError(3001, {.file = request.file}, fmt::format("there is no function {} to start from", request.entry));
     nameIncludedFiles(messages.errors, includes);
     nameIncludedFiles(messages.warnings, includes);
     if (made.object.empty()) {
         if (messages.errors.empty())
-            return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("DXC rejects {}: {}", request.entry, made.log));
+            return inputError(3001, {.file = request.file}, fmt::format("DXC rejects {}: {}", request.entry, made.log));
         return Error{Blame::Input, shortened(std::move(messages.errors))};
     }
     RawShader shader{.words = std::vector<std::uint32_t>(made.object.size() / sizeof(std::uint32_t)),

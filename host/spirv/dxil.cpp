@@ -86,7 +86,7 @@ void addBinding(Reflection& reflection, const std::vector<std::string>& columns)
     const std::string& place = columns[5];
     const auto binding = static_cast<std::uint32_t>(std::strtoul(place.substr(place.find_first_of("0123456789")).c_str(), nullptr, 10));
     if (type == "cbuffer") {
-        const UniformBlock block{.name = name, .set = 0, .binding = binding, .size = 0, .members = {}};
+        const UniformBlock block{.name = name, .set = 0, .binding = binding, .size = 0};
         if (name == "$Globals")
             reflection.globals = block;
         else

@@ -59,10 +59,9 @@ void configure(glslang::TShader& shader, const ShaderRequest& request, const std
 
 Result<RawShader> failure(const std::string& log, const ShaderRequest& request) {
     if (log.find("Entry point not found") != std::string::npos)
-        return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("there is no function {} to start from", request.entry));
+        return inputError(3001, {.file = request.file}, fmt::format("there is no function {} to start from", request.entry));
     Messages messages = readGlslangMessages(log, request.code, request.file);
-    if (messages.errors.empty())
-        return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("glslang rejects {}: {}", request.entry, log));
+    if (messages.errors.empty()) return inputError(3001, {.file = request.file}, fmt::format("glslang rejects {}: {}", request.entry, log));
     return Error{Blame::Input, shortened(std::move(messages.errors))};
 }
 

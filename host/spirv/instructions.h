@@ -1,5 +1,5 @@
 #pragma once
-// The instructions of a SPIR-V module, one after the other. Inside this room.
+// The instructions of a SPIR-V module, one after the other. Inside host, and for those that count.
 
 #include <spirv.hpp>
 

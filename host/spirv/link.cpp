@@ -30,11 +30,11 @@ Result<const StageVariable*> findOutput(const Shader& vertex, const Shader& pixe
     const auto found = std::ranges::find(vertex.reflection.outputs, input.semantic, &StageVariable::semantic);
     if (found == vertex.reflection.outputs.end())
         return inputError(
-            3004, {.file = pixel.file, .byte = {}},
+            3004, {.file = pixel.file},
             fmt::format("pixel shader {} reads {}, which vertex shader {} does not write", pixel.entry, input.semantic, vertex.entry),
             "give both the same struct");
     if (found->base != input.base || found->components < input.components)
-        return inputError(3005, {.file = pixel.file, .byte = {}},
+        return inputError(3005, {.file = pixel.file},
                           fmt::format("pixel shader {} reads {} as {}, vertex shader {} writes it as {}", pixel.entry, input.semantic,
                                       typeName(input), vertex.entry, typeName(*found)),
                           "give both the same struct");
@@ -60,7 +60,7 @@ Result<std::optional<std::uint32_t>> newStart(const Shader& pixel, const std::ve
         const std::uint32_t wanted = move.to - (move.from - first);
         if (start && *start != wanted)
             return inputError(
-                3005, {.file = pixel.file, .byte = {}},
+                3005, {.file = pixel.file},
                 fmt::format("an array that pixel shader {} reads is written as separate values in another order", pixel.entry),
                 "give both the same struct");
         start = wanted;

@@ -32,7 +32,6 @@ void add(Messages& messages, bool error, SourcePosition at, std::string_view tex
                     .code = error ? kCompilerError : kCompilerWarning,
                     .at = std::move(at),
                     .text = std::string(text),
-                    .hint = {},
                     .sourceLine = std::move(line)});
 }
 
@@ -46,7 +45,7 @@ std::optional<LineDirective> lineDirective(std::string_view text) {
     if (!text.starts_with("#line ")) return std::nullopt;
     const std::string_view rest = trim(text.substr(6));
     const std::size_t quote = rest.find('"');
-    LineDirective directive{.line = wholeNumber(trim(rest.substr(0, quote))).value_or(1), .file = {}};
+    LineDirective directive{.line = wholeNumber(trim(rest.substr(0, quote))).value_or(1)};
     if (quote != std::string_view::npos) directive.file = rest.substr(quote + 1, rest.rfind('"') - quote - 1);
     return directive;
 }
@@ -87,7 +86,7 @@ void readGlslangLine(std::string_view line, bool error, std::string_view code, c
     const std::size_t separator = line.find(": ");
     std::string_view place = separator == std::string_view::npos ? std::string_view() : line.substr(0, separator);
     const auto lineNumber = takeTrailingNumber(place);
-    if (!lineNumber) return add(into, error, {.file = file, .byte = {}}, line, {});
+    if (!lineNumber) return add(into, error, {.file = file}, line, {});
     const std::string_view raw = trim(line.substr(separator + 2));
     const std::size_t quote = raw.starts_with('\'') ? raw.find('\'', 1) : std::string_view::npos;
     const std::string_view token = quote == std::string_view::npos ? std::string_view() : raw.substr(1, quote - 1);
@@ -96,14 +95,13 @@ void readGlslangLine(std::string_view line, bool error, std::string_view code, c
     if (error && std::ranges::any_of(into.errors, sameLine)) return;
     std::string source = sourceLine(code, place, *lineNumber);
     const int column = columnOf(source, token);
-    add(into, error, {.file = std::string(place), .line = *lineNumber, .column = column, .byte = {}}, glslangText(raw, token),
-        std::move(source));
+    add(into, error, {.file = std::string(place), .line = *lineNumber, .column = column}, glslangText(raw, token), std::move(source));
 }
 
 } // namespace
 
 SourcePosition lastLineDirective(std::string_view code, const std::string& file) {
-    SourcePosition at{.file = file, .byte = {}};
+    SourcePosition at{.file = file};
     forEachLine(code, [&](std::string_view text) {
         const auto directive = lineDirective(text);
         if (!directive || directive->file.empty()) return;
@@ -145,12 +143,12 @@ Messages readDxcMessages(std::string_view log, std::string_view code, const std:
             const int column = takeTrailingNumber(place).value_or(0);
             const int lineNumber = takeTrailingNumber(place).value_or(0);
             if (!isNoise(text))
-                add(messages, kind.error, {.file = std::string(place), .line = lineNumber, .column = column, .byte = {}}, text,
+                add(messages, kind.error, {.file = std::string(place), .line = lineNumber, .column = column}, text,
                     sourceLine(code, place, lineNumber));
             return;
         }
         if (line.starts_with("error: ") || line.starts_with("fatal error: "))
-            add(messages, true, {.file = file, .byte = {}}, line.substr(line.find(": ") + 2), {});
+            add(messages, true, {.file = file}, line.substr(line.find(": ") + 2), {});
     });
     return messages;
 }
@@ -181,10 +179,8 @@ std::vector<Diagnostic> shortened(std::vector<Diagnostic> messages) {
     if (more == 0) return kept;
     kept.push_back({.severity = Severity::Note,
                     .code = kept.front().code,
-                    .at = {.file = kept.front().at.file, .byte = {}},
-                    .text = fmt::format("and {} more", more),
-                    .hint = {},
-                    .sourceLine = {}});
+                    .at = {.file = kept.front().at.file},
+                    .text = fmt::format("and {} more", more)});
     return kept;
 }
 

@@ -65,7 +65,7 @@ void number(const Reader& module, std::vector<Descriptor>& descriptors, std::uin
 }
 
 Error notExpressible(const std::string& file, std::string what, std::string hint) {
-    return inputError(3006, {.file = file, .byte = {}}, std::move(what), std::move(hint));
+    return inputError(3006, {.file = file}, std::move(what), std::move(hint));
 }
 
 std::optional<MemberBase> baseOf(const SPIRType& type) {
@@ -107,7 +107,7 @@ std::optional<BlockMember> readMember(const Reader& module, spirv_cross::TypeID 
 }
 
 Result<UniformBlock> readBlock(const Reader& module, const Descriptor& descriptor, const std::string& file) {
-    UniformBlock block{.name = descriptor.name, .set = descriptor.set, .binding = descriptor.binding, .members = {}};
+    UniformBlock block{.name = descriptor.name, .set = descriptor.set, .binding = descriptor.binding};
     const spirv_cross::TypeID structure = descriptor.declared.base_type_id;
     std::uint32_t end = 0;
     for (std::uint32_t i = 0; i < module.get_type(structure).member_types.size(); ++i) {

@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t kMostOfAStream = std::size_t{1} << 30;
 
 Error unreadable(const fs::path& path, int failed) {
-    const SourcePosition at{.file = path.string(), .byte = {}};
+    const SourcePosition at{.file = path.string()};
     if (failed == EFBIG)
         return inputError(5001, at, fmt::format("gives more than {} MiB and has no size of its own", kMostOfAStream >> 20),
                           "put what it holds into a file");
@@ -40,7 +40,7 @@ Error unreadable(const fs::path& path, int failed) {
 
 Result<std::string> readFile(const fs::path& path) {
     std::error_code code;
-    if (fs::is_directory(path, code)) return inputError(5001, {.file = path.string(), .byte = {}}, "is a folder, not a file");
+    if (fs::is_directory(path, code)) return inputError(5001, {.file = path.string()}, "is a folder, not a file");
     if (const auto noted = kept::noteRead(path); !noted) return noted.error();
     const auto size = fs::file_size(path, code); // unknown for a pipe, and 0 under /proc: the rest is read piece by piece
     std::string bytes;
@@ -143,6 +143,14 @@ Result<void> rewriteFile(const fs::path& path, std::string_view bytes) {
     if (const int failed = writeWhole(target, bytes); failed != 0) return unwritable(path, std::strerror(failed));
     kept::noteWritten(path);
     return {};
+}
+
+std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
+    std::error_code code;
+    if (named.empty()) return std::nullopt;
+    for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (fs::exists(folder / named, code)) return folder;
+    return std::nullopt;
 }
 
 fs::path cacheFolder() {

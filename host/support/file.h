@@ -30,6 +30,9 @@ namespace tegument {
 /// Leaves nothing behind. TG5002 if not.
 [[nodiscard]] Result<void> canWrite(const std::filesystem::path& path);
 
+/// The folder of the running program, or the nearest above it, that holds this file or folder: the tree or the build that it belongs to.
+[[nodiscard]] std::optional<std::filesystem::path> folderAboveProgramWith(const std::filesystem::path& named);
+
 /// $TEGUMENT_CACHE, else $XDG_CACHE_HOME/tegument, else $HOME/.cache/tegument.
 [[nodiscard]] std::filesystem::path cacheFolder();
 

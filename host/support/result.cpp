@@ -60,8 +60,7 @@ std::string caretLine(const std::string& sourceLine, int column) {
 }
 
 Error single(Blame blame, int code, SourcePosition at, std::string text, std::string hint) {
-    return Error{blame,
-                 {Diagnostic{.code = code, .at = std::move(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}}}};
+    return Error{blame, {Diagnostic{.code = code, .at = std::move(at), .text = std::move(text), .hint = std::move(hint)}}};
 }
 
 } // namespace
@@ -82,6 +81,10 @@ std::string format(const Error& error) {
         text += format(diagnostic);
     }
     return text;
+}
+
+Diagnostic inputWarning(int code, SourcePosition at, std::string text, std::string hint) {
+    return {.severity = Severity::Warning, .code = code, .at = std::move(at), .text = std::move(text), .hint = std::move(hint)};
 }
 
 Error inputError(int code, SourcePosition at, std::string text, std::string hint) {

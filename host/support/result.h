@@ -46,6 +46,7 @@ struct Error {
 
 [[nodiscard]] std::string format(const Error& error);
 
+[[nodiscard]] Diagnostic inputWarning(int code, SourcePosition at, std::string text, std::string hint = {});
 [[nodiscard]] Error inputError(int code, SourcePosition at, std::string text, std::string hint = {});
 [[nodiscard]] Error usageError(int code, std::string text, std::string hint = {});
 [[nodiscard]] Error machineError(int code, std::string text, std::string hint = {});

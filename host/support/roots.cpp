@@ -137,7 +137,7 @@ bool Roots::hold(const fs::path& file) const {
 }
 
 Roots rootsOf(const fs::path& file, const std::vector<fs::path>& named, const Roots& more) {
-    Roots roots{.folders = {}, .anywhere = more.anywhere};
+    Roots roots{.anywhere = more.anywhere};
     if (roots.anywhere) return roots;
     for (const fs::path& folder : {resolved(file.parent_path()), resolved(file).parent_path()}) {
         add(roots.folders, folder);
@@ -198,20 +198,18 @@ Diagnostic outsideOf(const fs::path& file, SourcePosition at) {
             .code = 1014,
             .at = std::move(at),
             .text = fmt::format("{} lies outside of the effect's folder and its project", file.string()),
-            .hint = fmt::format("if it may be read: -I {}, or --anywhere", shellWord(folder)),
-            .sourceLine = {}};
+            .hint = fmt::format("if it may be read: -I {}, or --anywhere", shellWord(folder))};
 }
 
 Diagnostic outsideOfMesh(const fs::path& file, const fs::path& mesh) {
     const fs::path shared = sharedFolder(file, mesh);
     return {.severity = Severity::Error,
             .code = 1014,
-            .at = {.file = mesh.string(), .byte = {}},
+            .at = {.file = mesh.string()},
             .text = fmt::format("{} lies outside of the mesh's folder and its project", file.string()),
             .hint = shared.empty() ? "if it may be read, put it below the mesh's folder"
                                    : fmt::format("if it may be read: touch {}, and that folder is one project",
-                                                 shellWord((shared / ".tegument-root").string())),
-            .sourceLine = {}};
+                                                 shellWord((shared / ".tegument-root").string()))};
 }
 
 } // namespace tegument

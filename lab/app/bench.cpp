@@ -190,7 +190,6 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .compiler = *compiler,
                                 .pixels = *pixels,
                                 .grid = arguments.grid,
-                                .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
                                 .assets = assets::meshAssets([](const std::string& made) { say(made); }),

@@ -234,8 +234,7 @@ std::vector<report::Figure> benchFigures(const Json& rows) {
 }
 
 report::Page benchPage(const Json& rows, const std::filesystem::path& folder) {
-    report::Page page{
-        .title = "tegument bench", .summary = nearest(rows), .verdict = {}, .facts = {}, .sections = {scatter(rows), timeline(rows)}};
+    report::Page page{.title = "tegument bench", .summary = nearest(rows), .sections = {scatter(rows), timeline(rows)}};
     if (!rows.empty()) {
         const Json& first = rows.front();
         for (const auto& [name, place] : {std::pair{"device", "/device"},
@@ -288,8 +287,7 @@ report::Page stabilityPage(const Json& run) {
     report::Page page{.title = "tegument bench --stability",
                       .summary = fmt::format("{} of {} figures of hard cases are within their limits", passed, count),
                       .verdict = passed == count ? "pass" : "fail",
-                      .facts = {{"device", textAt(run, "/device")}, {"driver", textAt(run, "/driver")}, {"maps", integerAt(run, "/size")}},
-                      .sections = {}};
+                      .facts = {{"device", textAt(run, "/device")}, {"driver", textAt(run, "/driver")}, {"maps", integerAt(run, "/size")}}};
     page.sections.push_back(report::table(
         "Hard cases", "What each module draws where it is most likely to break. A figure without a limit is reported, not judged.",
         {{"", "verdict"},

@@ -43,7 +43,7 @@ Result<std::vector<fs::path>> filesOf(const InvarianceArguments& arguments) {
     if (!files.empty()) return files;
     files = effectFiles(assets::ownFile(arguments.effects));
     if (files.empty())
-        return inputError(8060, {.file = arguments.effects, .byte = {}}, "this folder holds no effect",
+        return inputError(8060, {.file = arguments.effects}, "this folder holds no effect",
                           "name the folder of the .fx files with --effects");
     return files;
 }

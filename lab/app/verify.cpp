@@ -264,7 +264,7 @@ Result<std::vector<VerifiedModule>> verifyAll(const VerifyArguments& arguments, 
             progress.say(fmt::format("{} of {}: {} [{}]", verified.size() + 1, count, module, setting));
             auto report = verifyModule(device, module, options);
             if (!report && report.error().blame != Blame::Input) return report.error();
-            VerifiedModule& entry = verified.emplace_back(VerifiedModule{.module = module, .setting = setting, .report = {}, .error = {}});
+            VerifiedModule& entry = verified.emplace_back(VerifiedModule{.module = module, .setting = setting});
             if (report)
                 entry.report = std::move(*report);
             else
@@ -290,7 +290,7 @@ Result<VerifyOptions> optionsOf(const VerifyArguments& arguments) {
     if (!compiler) return compiler.error();
     options.compiler = *compiler;
     if (arguments.modules.empty() && verifiableModules(options.effects).empty())
-        return inputError(8060, {.file = arguments.effects, .byte = {}}, "this folder holds no module that has a reference",
+        return inputError(8060, {.file = arguments.effects}, "this folder holds no module that has a reference",
                           "name the folder of the .fx files with --effects");
     return options;
 }

@@ -36,22 +36,17 @@ Variation culled(std::string what, bool frustum, bool backFaces, bool black) {
 
 std::vector<Variation> variations() {
     std::vector<Variation> list = {
-        {.group = kCulling, .what = "none", .technique = "DEonLuebke", .setting = 0, .defines = {}, .parameters = {}},
+        {.group = kCulling, .what = "none", .technique = "DEonLuebke", .setting = 0},
         culled("outside the view", true, false, false),
         culled("back faces", false, true, false),
         culled("black texels", false, false, true),
         culled("all three", true, true, true),
-        {.group = kShadow, .what = "one map for both", .technique = "DEonLuebke", .defines = {}, .parameters = {}},
-        {.group = kShadow,
-         .what = "a shadow map of its own",
-         .technique = "DEonLuebke",
-         .defines = {{"TEGUMENT_SHADOW_FROM_TSM", "0"}},
-         .parameters = {}}};
+        {.group = kShadow, .what = "one map for both", .technique = "DEonLuebke"},
+        {.group = kShadow, .what = "a shadow map of its own", .technique = "DEonLuebke", .defines = {{"TEGUMENT_SHADOW_FROM_TSM", "0"}}}};
     for (int count = 1; count <= 6; ++count)
         list.push_back({.group = kBlurs,
                         .what = fmt::format("{} blur{}", count, count > 1 ? "s" : ""),
                         .technique = "Gosselin",
-                        .defines = {},
                         .parameters = {{"gBlurCount", {static_cast<double>(count)}}}});
     return list;
 }
@@ -60,7 +55,6 @@ Contender contenderOf(const Variation& variation, const BenchOptions& options) {
     Contender contender{.technique = variation.technique,
                         .setting = variation.setting == 0 ? kSettingSeed : kSettingCorrected,
                         .variant = variation.what,
-                        .source = {},
                         .effect = options.effects / "Main.fx",
                         .defines = variation.defines,
                         .parameters = variation.parameters};
@@ -88,7 +82,7 @@ Result<std::vector<AblationRow>> precomputed(gpu::Device& device, const BenchOpt
     std::vector<Contender> contenders;
     contenders.reserve(maps.size());
     for (const Precomputed& map : maps)
-        contenders.push_back(contenderOf({.group = {}, .what = {}, .technique = map.effect, .defines = {}, .parameters = {}}, options));
+        contenders.push_back(contenderOf({.technique = map.effect}, options));
     for (std::size_t i = 0; i < maps.size(); ++i)
         contenders[i].effect = options.effects / (std::string(maps[i].effect) + ".fx");
     const Contest contest{.scene = *scene,

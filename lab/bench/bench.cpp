@@ -56,18 +56,13 @@ Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>
     const std::string name = scene.name;
     auto stage = std::make_unique<Stage>(std::move(scene), options);
     if (stage->sample.points.empty())
-        return inputError(8075, {.file = stage->scene.file.string(), .byte = {}}, "the camera sees no skin that could be compared",
+        return inputError(8075, {.file = stage->scene.file.string()}, "the camera sees no skin that could be compared",
                           "move the camera of the workspace, or choose a larger --size");
-    const KeptLight kept = keptFor(options.kept, stage->scene, stage->sample, part);
-    auto light = trueLight(stage->truth, stage->sample, kept, progressOf(say, fmt::format("{}: reference", name)));
-    if (!light) return light.error();
-    stage->light = std::move(*light);
+    stage->light = trueLight(stage->truth, stage->sample, part, progressOf(say, fmt::format("{}: reference", name)));
     for (const Contender& contender : contenders) {
         if (contender.ownDefinition().empty() || stage->claimed.contains(contender.ownDefinition())) continue;
-        auto claimed = claimedLight(stage->truth, stage->sample, contender, kept,
-                                    progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
-        if (!claimed) return claimed.error();
-        stage->claimed[contender.ownDefinition()] = std::move(*claimed);
+        stage->claimed[contender.ownDefinition()] = claimedLight(
+            stage->truth, stage->sample, contender, part, progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
     }
     return stage;
 }
@@ -82,14 +77,10 @@ Row rowOf(const Stage& stage, const Contender& contender, const Contest& contest
             .mapSize = contest.mapSize,
             .shadowSize = contest.shadowSize > 0 ? contest.shadowSize : contest.mapSize,
             .coverage = stage.sample.coverage,
-            .drawn = {},
-            .errors = {},
-            .own = {},
             .referenceId = stage.sample.id,
             .referencePixels = stage.sample.points.size(),
             .samples = stage.sample.grid * stage.sample.grid,
-            .wholeReference = stage.sample.whole,
-            .failure = {}};
+            .wholeReference = stage.sample.whole};
 }
 
 /// Time, bytes and errors of a picture into its row.
@@ -107,8 +98,7 @@ Result<void> judge(Row& row, const Stage& stage, const Result<Drawn>& drawn) {
                  .gross = drawn->gross,
                  .passes = drawn->passes,
                  .bytes = drawn->bytes,
-                 .targetBytes = drawn->targetBytes,
-                 .picture = {}};
+                 .targetBytes = drawn->targetBytes};
     return {};
 }
 
@@ -119,12 +109,7 @@ struct TruthPicture {
 };
 
 TruthPicture truthPicture(const Stage& stage, int width, int height) {
-    const auto blank = [&] {
-        Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
-        image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 0.0F);
-        return image;
-    };
-    TruthPicture picture{blank(), blank()};
+    TruthPicture picture{plainImage(width, height, 3), plainImage(width, height, 3)};
     for (std::size_t i = 0; i < stage.sample.points.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             const reference::ShadedPoint& point = stage.sample.points[i];

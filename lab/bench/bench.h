@@ -23,7 +23,6 @@ struct BenchOptions {
     Compiler compiler = Compiler::Dxc;
     std::size_t pixels = 1024;      // of the reference; 0: all
     int grid = 1;                   // samples along each side of a pixel whose mean is held against the truth's
-    std::filesystem::path kept;     // folder for references of many pixels; empty: none is kept
     std::filesystem::path pictures; // folder for the truth and what each technique draws of it, as EXR; empty: none
     bool count = false;             // what each frame fetches and moves, too (traffic.h)
     MeshAssets assets;

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kHint = "docs/bench.md describes the file";
 
 Error malformed(const fs::path& file, const std::string& text) {
-    return inputError(8070, {.file = file.string(), .byte = {}}, text, kHint);
+    return inputError(8070, {.file = file.string()}, text, kHint);
 }
 
 /// Definitions and parameters, as settings and variants have them.

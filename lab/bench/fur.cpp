@@ -129,14 +129,10 @@ Row rowOf(const FurStage& stage, const FurView& view, const Entry& entry, const 
             .mapSize = mapSize,
             .shadowSize = entry.contest.shadowSize > 0 ? entry.contest.shadowSize : mapSize,
             .coverage = covered / static_cast<double>(exact.covered.size()),
-            .drawn = {},
-            .errors = {},
-            .own = {},
             .referenceId =
                 fmt::format("{} strands by rays, {} a pixel", stage.window.strands.set.roots.size(), view.samples * view.samples),
             .referencePixels = exact.covered.size(),
-            .wholeReference = true,
-            .failure = {}};
+            .wholeReference = true};
 }
 
 verify::ExactPicture truthOf(const FurStage& stage, const FurView& view, const BenchOptions& options) {

@@ -34,7 +34,7 @@ struct Sweep {
 
 /// Half of the picture is a sphere, lit from the upper right.
 Scene sphereScene(int quads) {
-    Scene scene{.name = "sphere", .file = {}, .workspace = {}, .mesh = sphere(20, quads)};
+    Scene scene{.name = "sphere", .mesh = sphere(20, quads)};
     computeTangents(scene.mesh);
     scene.workspace.head = false;
     scene.workspace.camera.position = {0, 0, 4.6F};
@@ -53,7 +53,6 @@ Contender contenderOf(const GrowthOptions& options, const Sweep& sweep, const Po
     return {.technique = sweep.technique,
             .setting = kSettingCorrected,
             .variant = fmt::format("{:.0f} {}", point.x, sweep.quantity),
-            .source = {},
             .effect = options.effects / sweep.effect,
             .defines = {{"TEGUMENT_SETTING", "2"}},
             .parameters = point.parameters};
@@ -70,7 +69,7 @@ Result<Growth> measure(gpu::Device& device, const GrowthOptions& options, const 
         entries.push_back({contest, contenderOf(options, sweep, point)});
     }
     const auto drawn = drawInTurns(device, entries, options.frames, [&](const std::string& what) { say("growth: " + what); });
-    Growth growth{.quantity = sweep.quantity, .what = sweep.what, .x = {}, .milliseconds = {}, .law = {}, .parts = {}};
+    Growth growth{.quantity = sweep.quantity, .what = sweep.what};
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (!drawn[i]) return drawn[i].error();
         growth.x.push_back(sweep.points[i].x);
@@ -108,7 +107,7 @@ Sweep texels(int first) {
             .effect = "Main.fx",
             .technique = "DEonLuebke",
             .pass = "Convolution",
-            .points = doubled(first, [](int size) { return Point{.x = squared(size), .mapSize = size, .parameters = {}}; })};
+            .points = doubled(first, [](int size) { return Point{.x = squared(size), .mapSize = size}; })};
 }
 
 Sweep pixels(int first) {
@@ -117,8 +116,7 @@ Sweep pixels(int first) {
             .effect = "Main.fx",
             .technique = "DEonLuebke",
             .pass = "Final",
-            .points = doubled(
-                first, [](int size) { return Point{.x = squared(size), .picture = size, .mapSize = 256, .quads = 16, .parameters = {}}; })};
+            .points = doubled(first, [](int size) { return Point{.x = squared(size), .picture = size, .mapSize = 256, .quads = 16}; })};
 }
 
 Sweep blurs(int mapSize) {
@@ -149,7 +147,7 @@ Sweep faces(int first) {
             .effect = "Main.fx",
             .technique = "Gosselin",
             .pass = "ShadowMap",
-            .points = doubled(first, [](int quads) { return Point{.x = 4 * squared(quads), .quads = quads, .parameters = {}}; })};
+            .points = doubled(first, [](int quads) { return Point{.x = 4 * squared(quads), .quads = quads}; })};
 }
 
 } // namespace

@@ -98,8 +98,7 @@ Result<std::string> resultsMarkdown(const Json& list, const std::string& file) {
     std::vector<std::string> titles;
     std::map<std::string, std::string> tables;
     for (const Json& row : list) {
-        if (!isRow(row))
-            return inputError(8076, {.file = file, .byte = {}}, "an entry of the list is no result of a comparison", kFileHint);
+        if (!isRow(row)) return inputError(8076, {.file = file}, "an entry of the list is no result of a comparison", kFileHint);
         const std::string name = title(row);
         if (!tables.contains(name)) titles.push_back(name);
         tables[name] += markdownRow(row);
@@ -165,7 +164,7 @@ Result<std::string> toMarkdown(const std::string& json, const std::string& nameF
     if (holds("series", {"x", "ms"})) return growthMarkdown(parsed);
     if (holds("ablation", {"rel_l2"})) return ablationMarkdown(parsed);
     if (holds("motion", {"flicker"})) return motionMarkdown(parsed);
-    return inputError(8076, {.file = nameForMessages, .byte = {}}, "no results of a comparison", kFileHint);
+    return inputError(8076, {.file = nameForMessages}, "no results of a comparison", kFileHint);
 }
 
 } // namespace tegument::bench

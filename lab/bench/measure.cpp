@@ -42,7 +42,7 @@ Result<Entrant> enter(gpu::Device& device, const Contest& contest, const Contend
     entrant.effect = std::make_unique<Effect>(std::move(*effect));
     entrant.options = runOptionsOf(contest, contender);
     const std::uint64_t before = device.allocatedBytes();
-    entrant.session = std::make_unique<EffectSession>(device, *entrant.effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
+    entrant.session = std::make_unique<EffectSession>(device, *entrant.effect, SessionScene{.mesh = &contest.scene.mesh});
     const auto frame = entrant.session->draw(contest.scene.workspace, entrant.options);
     if (!frame) return frame.error();
     entrant.bytes = device.allocatedBytes() - before;
@@ -71,11 +71,8 @@ Result<void> drawOnce(const Contest& contest, Entrant& entrant, bool timed) {
 Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
     Drawn drawn{.milliseconds = spreadOf(entrant.frames),
                 .gross = spreadOf(entrant.gross),
-                .passes = {},
                 .bytes = entrant.bytes,
-                .targetBytes = entrant.targetBytes,
-                .traffic = {},
-                .picture = {}};
+                .targetBytes = entrant.targetBytes};
     for (const std::string& name : entrant.passNames)
         drawn.passes.push_back({name, quantile(entrant.passes.at(name), 0.5)});
     auto picture = run::readBack(device, *entrant.session->target(""));
@@ -86,9 +83,7 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
 
 /// Each pixel the mean of `side` x `side`.
 Image meanOfBlocks(const Image& fine, int side) {
-    Image mean{.width = fine.width / side, .height = fine.height / side, .channels = fine.channels, .pixels = {}, .metadata = {}};
-    mean.pixels.assign(
-        static_cast<std::size_t>(mean.width) * static_cast<std::size_t>(mean.height) * static_cast<std::size_t>(mean.channels), 0.0F);
+    Image mean = plainImage(fine.width / side, fine.height / side, fine.channels);
     const float share = 1.0F / static_cast<float>(side * side);
     for (int y = 0; y < mean.height * side; ++y)
         for (int x = 0; x < mean.width * side; ++x)
@@ -100,7 +95,7 @@ Image meanOfBlocks(const Image& fine, int side) {
 } // namespace
 
 Result<Effect> loadContender(const Contest& contest, const Contender& contender) {
-    LoadOptions load{.defines = contender.defines, .includeFolders = {}};
+    LoadOptions load{.defines = contender.defines};
     load.defines.insert(load.defines.end(), contest.scene.lights.defines.begin(), contest.scene.lights.defines.end());
     load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(contest.mapSize));
     if (contest.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(contest.shadowSize));
@@ -162,7 +157,7 @@ Result<Image> drawMean(gpu::Device& device, const Entry& entry, int grid) {
 
 Result<Errors> errorsOf(const Image& picture, const Sample& sample, const std::vector<glm::dvec3>& truth) {
     const int count = static_cast<int>(sample.points.size());
-    Image drawn{.width = count, .height = 1, .channels = 3, .pixels = {}, .metadata = {}};
+    Image drawn{.width = count, .height = 1, .channels = 3};
     Image exact = drawn;
     double squares = 0;
     double peak = 0;

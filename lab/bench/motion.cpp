@@ -106,7 +106,7 @@ Sample atPlaces(const Sample& sample, const std::vector<Place>& places) {
     std::map<Place, std::size_t> index;
     for (std::size_t i = 0; i < sample.points.size(); ++i)
         index[{sample.points[i].y, sample.points[i].x}] = i;
-    Sample chosen{.points = {}, .interior = {}, .id = {}, .parts = {}, .partOf = {}};
+    Sample chosen{};
     for (const Place& place : places) {
         chosen.points.push_back(sample.points[index.at(place)]);
         chosen.interior.push_back(sample.interior[index.at(place)]);
@@ -116,7 +116,7 @@ Sample atPlaces(const Sample& sample, const std::vector<Place>& places) {
 }
 
 Path pathOf(const Scene& scene, const Motion& motion, const BenchOptions& options, const Say& say) {
-    Path path{.name = motion.name, .frames = {}, .places = {}, .truth = {}};
+    Path path{.name = motion.name, .frames = {}};
     std::deque<StoodScene> stood;
     for (int frame = 0; frame < kMotionFrames; ++frame) {
         path.frames.push_back(motion.stand(scene, frame));
@@ -124,11 +124,11 @@ Path pathOf(const Scene& scene, const Motion& motion, const BenchOptions& option
     }
     std::vector<reference::ShadedPoint> common;
     for (const auto& [y, x] : commonPlaces(stood))
-        common.push_back({.x = x, .y = y, .point = {}});
+        common.push_back({.x = x, .y = y});
     for (const reference::ShadedPoint& point : reference::spreadEvenly(std::move(common), options.pixels))
         path.places.emplace_back(point.y, point.x);
     for (const StoodScene& frame : stood)
-        path.truth.push_back(*trueLight(frame.truth, atPlaces(frame.sample, path.places), {}, [&](std::size_t done, std::size_t total) {
+        path.truth.push_back(trueLight(frame.truth, atPlaces(frame.sample, path.places), {}, [&](std::size_t done, std::size_t total) {
             say(fmt::format("{}, frame {} of {}: reference, pixel {} of {}", motion.name, path.truth.size() + 1, kMotionFrames, done,
                             total));
         }));
@@ -139,7 +139,7 @@ Path pathOf(const Scene& scene, const Motion& motion, const BenchOptions& option
 Result<std::vector<Pixels>> drawnAlong(gpu::Device& device, const Path& path, const Contest& contest, const Contender& contender) {
     const auto effect = loadContender(contest, contender);
     if (!effect) return effect.error();
-    EffectSession session(device, *effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
+    EffectSession session(device, *effect, SessionScene{.mesh = &contest.scene.mesh});
     const RunOptions options = runOptionsOf(contest, contender);
     std::vector<Pixels> frames;
     for (const Workspace& stood : path.frames) {
@@ -195,9 +195,7 @@ MotionRow motionRow(std::span<const std::vector<glm::dvec3>> drawn, std::span<co
     }
     const double frame = whole / static_cast<double>(drawn.size());
     const double steps = static_cast<double>(drawn.size() - 1) * frame;
-    return {.motion = {},
-            .contender = {},
-            .error = std::sqrt(error / whole),
+    return {.error = std::sqrt(error / whole),
             .flicker = std::sqrt(change / steps),
             .largest = std::sqrt(largest / frame),
             .light = std::sqrt(light / steps)};
@@ -221,7 +219,7 @@ Result<std::vector<MotionRow>> measureMotion(gpu::Device& device, const std::vec
     for (const Motion& motion : motions()) {
         const Path path = pathOf(*scene, motion, options, tools.say);
         if (path.places.empty())
-            return inputError(8075, {.file = scene->file.string(), .byte = {}}, "no pixel shows skin in every picture of the motion",
+            return inputError(8075, {.file = scene->file.string()}, "no pixel shows skin in every picture of the motion",
                               "move the camera of the workspace, or choose a larger --size");
         for (const Contender& contender : contenders) {
             tools.say(fmt::format("{}: {}", motion.name, contender.name()));

@@ -1,9 +1,9 @@
 #include "lab/bench/python.h"
 
 #include "host/support/file.h"
-#include "host/support/process.h"
 #include "host/support/temporary.h"
 #include "host/support/text.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 

@@ -154,8 +154,7 @@ std::string toCsv(const std::vector<Row>& rows, const Machine& machine) {
 
 Table toTable(const std::vector<Row>& rows) {
     Table table{.header = {"technique", "setting", "scene", "maps", "shadow", "ms", "gross", "p5", "p95", "MiB", "rel L2", "p99", "max",
-                           "bias", "PSNR", "FLIP", "own"},
-                .rows = {}};
+                           "bias", "PSNR", "FLIP", "own"}};
     const bool counted = std::ranges::any_of(rows, [](const Row& row) { return !row.drawn.traffic.empty(); });
     if (counted) table.header.insert(table.header.end(), {"Mfetch", "MiB read", "written"});
     for (const Row& row : rows) {
@@ -225,7 +224,7 @@ std::string toJson(const std::vector<MotionRow>& rows, const Machine& machine, c
 }
 
 Table toTable(const std::vector<MotionRow>& rows) {
-    Table table{.header = {"motion", "technique", "setting", "rel L2", "flicker", "largest", "light"}, .rows = {}};
+    Table table{.header = {"motion", "technique", "setting", "rel L2", "flicker", "largest", "light"}};
     for (const MotionRow& row : rows)
         table.rows.push_back({row.motion, row.contender.name(), row.contender.setting, fmt::format("{:.4f}", row.error),
                               fmt::format("{:.4f}", row.flicker), fmt::format("{:.4f}", row.largest), fmt::format("{:.4f}", row.light)});
@@ -233,7 +232,7 @@ Table toTable(const std::vector<MotionRow>& rows) {
 }
 
 Table toTable(const std::vector<Growth>& growth) {
-    Table table{.header = {"time of", "grows with", "sizes", "ms", "exponent", "fixed, ms", "off"}, .rows = {}};
+    Table table{.header = {"time of", "grows with", "sizes", "ms", "exponent", "fixed, ms", "off"}};
     for (const Growth& one : growth) {
         std::vector<std::string> ms;
         for (const double milliseconds : one.milliseconds)
@@ -246,7 +245,7 @@ Table toTable(const std::vector<Growth>& growth) {
 }
 
 Table toTable(const std::vector<AblationRow>& rows) {
-    Table table{.header = {"what", "ms", "change", "noise", "rel L2"}, .rows = {}};
+    Table table{.header = {"what", "ms", "change", "noise", "rel L2"}};
     std::string group;
     for (const AblationRow& row : rows) {
         if (row.group != group) table.rows.push_back({row.group, "", "", "", ""});

@@ -243,7 +243,7 @@ const std::vector<std::string>& sceneShapes() {
 
 Result<SceneName> parseSceneName(const std::string& text) {
     const std::size_t end = std::min(text.find_first_of("@+"), text.size());
-    SceneName name{.shape = text.substr(0, end), .light = {}, .pixelsPerMm = {}};
+    SceneName name{.shape = text.substr(0, end), .light = {}};
     if (std::ranges::find(sceneShapes(), name.shape) == sceneShapes().end())
         return usageError(8072, fmt::format("--scene {}: neither a scene's name nor a workspace file", text),
                           fmt::format("the scenes are {}", fmt::join(sceneShapes(), ", ")));

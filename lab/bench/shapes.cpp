@@ -255,7 +255,7 @@ namespace {
 
 template <class Function>
 Image paint(int size, int channels, Function value) {
-    Image image{.width = size, .height = size, .channels = channels, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image image{.width = size, .height = size, .channels = channels, .bitsPerChannel = 8};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const glm::dvec4 texel = value(x, y);

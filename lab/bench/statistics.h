@@ -31,9 +31,6 @@ struct AffineLaw {
     double fixed = 0;
     double slope = 0;
     double worst = 0; // largest |y / fit - 1|
-
-    /// The exponent that a power law through the same points would have about x: 1 without a fixed cost, less with one.
-    [[nodiscard]] double exponentAt(double x) const { return slope * x / (fixed + slope * x); }
 };
 /// At least two points, all positive, not all at one x.
 [[nodiscard]] AffineLaw fitAffine(std::span<const double> x, std::span<const double> y);

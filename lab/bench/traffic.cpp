@@ -1,7 +1,7 @@
 #include "lab/bench/traffic.h"
 
 #include "host/run/stage.h"
-#include "host/spirv/count.h"
+#include "lab/bench/count.h"
 
 #include <fmt/format.h>
 
@@ -133,7 +133,7 @@ Result<std::deque<CountedDraw>> giveBuffers(gpu::Device& device, run::Frame& fra
 Result<std::vector<Traffic>> trafficOf(gpu::Device& device, const Contest& contest, const Contender& contender) {
     const auto effect = loadContender(contest, contender);
     if (!effect) return effect.error();
-    run::Stage stage(device, *effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
+    run::Stage stage(device, *effect, SessionScene{.mesh = &contest.scene.mesh});
     const RunOptions options = runOptionsOf(contest, contender);
     if (const auto compiled = stage.prepare(contest.scene.workspace, options); !compiled) return compiled.error();
     const CountingPasses passes = makeCount(stage.resources().kit);

@@ -7,7 +7,7 @@
 
 namespace tegument::bench {
 
-/// Counted on the device by shaders that count (host/spirv/count.h), in one frame behind another. Not in it: clears, vertices, what
+/// Counted on the device by shaders that count (lab/bench/count.h), in one frame behind another. Not in it: clears, vertices, what
 /// blending and depth tests read, textures that are made once, the pixels of passes without a pixel shader. TG8082: a shader that cannot
 /// count.
 [[nodiscard]] Result<std::vector<Traffic>> trafficOf(gpu::Device& device, const Contest& contest, const Contender& contender);

@@ -4,9 +4,13 @@
 #include "host/support/file.h"
 #include "host/support/parallel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 namespace tegument::bench {
 
@@ -119,20 +123,24 @@ std::vector<glm::dvec3> gathered(const Sample& sample, const std::vector<glm::dv
     return pixels;
 }
 
-Result<std::vector<glm::dvec3>> lightOf(const TruthScene& truth, const Sample& sample, const std::string& kind,
-                                        reference::RadialProfile profile, KeptLight kept, const Progress& progress) {
-    kept.key += "-" + contentHash(kind).substr(0, 8);
-    reference::BssrdfOptions options{.profile = std::move(profile), .progress = {}};
+std::vector<glm::dvec3> lightOf(const TruthScene& truth, const Sample& sample, reference::RadialProfile profile, Part part,
+                                const Progress& progress) {
+    reference::BssrdfOptions options{.profile = std::move(profile)};
     const std::span<const reference::ShadedPoint> points = sample.parts;
-    auto parts = keptLight(kept, points.size(), [&](std::size_t first, std::size_t last) {
+    std::vector<glm::dvec3> light(points.size(), glm::dvec3(0));
+    for (std::size_t first = 0; first < points.size(); first += kKeptTogether) {
+        if (first / kKeptTogether % part.count != part.index - 1) continue;
         if (progress) options.progress = [&](std::size_t done, std::size_t) { progress(first + done, points.size()); };
-        std::vector<glm::dvec3> light;
-        for (const reference::Radiance& radiance :
-             reference::radiance(truth.skin, points.subspan(first, last - first), truth.camera.eye, options))
-            light.push_back(radiance.total());
-        return light;
-    });
-    return parts && sample.grid > 1 ? gathered(sample, *parts) : std::move(parts);
+        const auto some = points.subspan(first, std::min(kKeptTogether, points.size() - first));
+        std::ranges::transform(reference::radiance(truth.skin, some, truth.camera.eye, options),
+                               light.begin() + static_cast<std::ptrdiff_t>(first), &reference::Radiance::total);
+    }
+    return sample.grid > 1 ? gathered(sample, light) : light;
+}
+
+bool readNumber(std::string_view text, std::size_t& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
 }
 
 /// Every point sends back what enters it.
@@ -170,7 +178,7 @@ Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t cou
         ++skin;
         if (seen.neighbours(point).covered) kept.push_back(point);
     }
-    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}, .id = {}, .parts = {}, .partOf = {}};
+    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}};
     for (const reference::ShadedPoint& point : sample.points)
         sample.interior.push_back(seen.neighbours(point).interior ? 1 : 0);
     sample.coverage = static_cast<double>(skin) / (static_cast<double>(truth.camera.width) * truth.camera.height);
@@ -186,36 +194,23 @@ Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t cou
     return sample;
 }
 
-KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, Part part) {
-    if (folder.empty() || sample.points.size() < kKeptFrom) return {};
-    static const auto program = readFile("/proc/self/exe");
-    std::string all = sample.id + (program ? contentHash(*program) : std::string());
-    const auto add = [&](const auto& numbers) {
-        all += contentHash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(numbers[0])});
-    };
-    add(scene.mesh.positions);
-    add(scene.mesh.normals);
-    add(scene.mesh.tangents);
-    add(scene.mesh.uvs);
-    add(scene.mesh.indices);
-    for (const EmbeddedTexture& texture : scene.mesh.textures) {
-        all += texture.role;
-        add(texture.image.pixels);
-    }
-    all += scene.lights.name;
-    if (const auto workspace = readFile(scene.file)) all += contentHash(*workspace); // the light, and what it sets of the skin
-    return {.folder = folder, .key = contentHash(all), .part = part};
+Result<Part> partOf(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    Part part;
+    if (slash != std::string::npos && readNumber(std::string_view(text).substr(0, slash), part.index) &&
+        readNumber(std::string_view(text).substr(slash + 1), part.count) && part.index >= 1 && part.index <= part.count)
+        return part;
+    return usageError(8101, fmt::format("'{}' is no part", text), "parts count from 1: 1/8 is the first of eight");
 }
 
-Result<std::vector<glm::dvec3>> trueLight(const TruthScene& truth, const Sample& sample, const KeptLight& kept, const Progress& progress) {
-    return lightOf(truth, sample, "six Gaussians", reference::radial(reference::skinProfile()), kept, progress);
+std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, Part part, const Progress& progress) {
+    return lightOf(truth, sample, reference::radial(reference::skinProfile()), part, progress);
 }
 
-Result<std::vector<glm::dvec3>> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
-                                             const KeptLight& kept, const Progress& progress) {
+std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender, Part part,
+                                     const Progress& progress) {
     if (contender.claim == Claim::Delta) return undiffusedLight(truth, sample);
-    return lightOf(truth, sample, contender.ownDefinition(),
-                   reference::burley({contender.burley[0], contender.burley[1], contender.burley[2]}), kept, progress);
+    return lightOf(truth, sample, reference::burley({contender.burley[0], contender.burley[1], contender.burley[2]}), part, progress);
 }
 
 } // namespace tegument::bench

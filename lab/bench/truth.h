@@ -2,7 +2,6 @@
 // What the pixels of a scene should show: skin that the camera sees, and its light by brute force (lab/reference/bssrdf.h).
 
 #include "lab/bench/catalogue.h"
-#include "lab/bench/light_set.h"
 #include "lab/bench/scenes.h"
 #include "lab/reference/bssrdf.h"
 
@@ -41,14 +40,21 @@ struct TruthScene {
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Where light of this sample may be kept: under a name of all that decides it, the program's own bytes included.
-[[nodiscard]] KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, Part part);
+/// How many points' light is kept together (lab/reference/bssrdf.h): what any number of processes and machines fill together.
+inline constexpr std::size_t kKeptTogether = 1024;
 
-/// Light of each point by the six Gaussians. TG5002.
-[[nodiscard]] Result<std::vector<glm::dvec3>> trueLight(const TruthScene& truth, const Sample& sample, const KeptLight& kept,
-                                                        const Progress& progress);
-/// Of a contender that has a definition of its own. TG5002.
-[[nodiscard]] Result<std::vector<glm::dvec3>> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
-                                                           const KeptLight& kept, const Progress& progress);
+/// Part `index` (1 .. count) of `count`, of what is kept together.
+struct Part {
+    std::size_t index = 1;
+    std::size_t count = 1;
+};
+/// "3/100". TG8101 anything else.
+[[nodiscard]] Result<Part> partOf(const std::string& text);
+
+/// Light of each point by the six Gaussians; black where it is another part's.
+[[nodiscard]] std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, Part part, const Progress& progress);
+/// Of a contender that has a definition of its own.
+[[nodiscard]] std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender, Part part,
+                                                   const Progress& progress);
 
 } // namespace tegument::bench

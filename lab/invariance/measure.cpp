@@ -48,7 +48,7 @@ private:
 };
 
 DdsTexture furCube() {
-    DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1, .images = {}};
+    DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1};
     for (int face = 0; face < cube.faces; ++face)
         cube.images.push_back(verify::furPattern(kFurTexture, face));
     return cube;
@@ -80,8 +80,8 @@ Result<void> addFur(EngineScene& scene, Textures& textures, bool strands) {
 }
 
 EngineScene sceneOf(const InvarianceOptions& options) {
-    if (!options.mesh || !options.workspace) return {.mesh = invarianceMesh(), .placement = {}, .workspace = invarianceWorkspace()};
-    EngineScene scene{.mesh = *options.mesh, .placement = {}, .workspace = *options.workspace};
+    if (!options.mesh || !options.workspace) return {.mesh = invarianceMesh(), .workspace = invarianceWorkspace()};
+    EngineScene scene{.mesh = *options.mesh, .workspace = *options.workspace};
     const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
     const Camera given = scene.workspace.camera;
     scene.workspace.camera = placed.camera;
@@ -99,7 +99,7 @@ bool wanted(const std::vector<std::string>& only, const std::string& name) {
 
 Result<Effect> load(const fs::path& file, const InvarianceOptions& options, std::vector<std::pair<std::string, std::string>> defines) {
     defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
-    return loadEffect(file, {.defines = defines, .includeFolders = {}, .setting = options.setting});
+    return loadEffect(file, {.defines = defines, .setting = options.setting});
 }
 
 /// A scene, and an effect that was compiled for its lights.
@@ -131,7 +131,7 @@ public:
     [[nodiscard]] InvarianceCell cell(const Case& each) {
         const Subject subject{.effect = effect_, .technique = technique_, .reads = painter_.reads()};
         const Limits limits = limitsOf(subject, each);
-        InvarianceCell cell{.effect = {}, .technique = technique_, .column = each.column, .name = each.name};
+        InvarianceCell cell{.technique = technique_, .column = each.column, .name = each.name};
         cell.limit = limits.relativeL2;
         cell.beyondLimit = limits.beyond;
         cell.excused = limits.excused;
@@ -171,7 +171,7 @@ private:
 };
 
 InvarianceCell failed(const std::string& technique, const Error& error) {
-    InvarianceCell cell{.effect = {}, .technique = technique, .column = "", .name = "the scene as it is"};
+    InvarianceCell cell{.technique = technique, .column = "", .name = "the scene as it is"};
     cell.error = error;
     return cell;
 }

@@ -16,7 +16,7 @@ void splitMeshDraws(run::Frame& frame, const gpu::Buffer* mesh) {
             frame.items.push_back(std::move(item));
             continue;
         }
-        run::FrameDraw rest{.described = whole->described, .targets = whole->targets, .draw = whole->draw, .blocks = {}};
+        run::FrameDraw rest{.described = whole->described, .targets = whole->targets, .draw = whole->draw};
         const std::uint32_t triangles = whole->draw.count / 3;
         const std::uint32_t kept = 3 * (triangles / 3); // not in the middle: a mirror's plane may lie there
         rest.draw.first += kept;

@@ -57,7 +57,7 @@ void addNotes(std::string& text, const std::vector<InvarianceCell>& cells, const
         const std::string said = saying(cell);
         if (said.empty()) continue;
         auto note = std::ranges::find(notes, said, &Note::said);
-        if (note == notes.end()) note = notes.insert(notes.end(), Note{.said = said, .cases = {}, .techniques = {}});
+        if (note == notes.end()) note = notes.insert(notes.end(), Note{.said = said});
         addOnce(note->cases, cell.name);
         addOnce(note->techniques, effectAndTechnique(cell));
     }

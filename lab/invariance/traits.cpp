@@ -11,7 +11,7 @@ namespace tegument::invariance {
 namespace {
 
 Limits usual() {
-    return {.relativeL2 = 1e-3, .beyond = 1e-3, .excused = {}};
+    return {.relativeL2 = 1e-3, .beyond = 1e-3};
 }
 /// Strands end at edges, and their edges are everywhere.
 constexpr double kFurLimit = 1e-2;
@@ -57,7 +57,7 @@ std::string apart(const Subject& subject, const Case& each) {
 
 Limits limitsOf(const Subject& subject, const Case& each) {
     Limits limits = usual();
-    if (isFur(subject)) limits = {.relativeL2 = kFurLimit, .beyond = 1, .excused = {}};
+    if (isFur(subject)) limits = {.relativeL2 = kFurLimit, .beyond = 1};
     if (subject.technique == "CoatChance")
         limits = {.relativeL2 = 3e-2,
                   .beyond = 1e-3,

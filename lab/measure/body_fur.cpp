@@ -125,7 +125,7 @@ Result<BodyFur> BodyFur::create(gpu::Device& device, const FurBody& body, const 
 }
 
 Result<BodyPicture> BodyFur::draw(const BodyView& view, int layers, int fewest, bool fringes) const {
-    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "16"}}, .includeFolders = {}});
+    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "16"}}});
     if (!effect) return effect.error();
     RunOptions options{.technique = "Roots", .width = view.size, .height = view.size, .compiler = defaultCompiler()};
     options.parameters =

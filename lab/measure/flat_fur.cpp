@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMapSize = 1280; // 32 texels a spacing
-constexpr double kSkin = 0.05; // what drawPatch draws, as albedo of the skin ...
+constexpr double kSkin = 0.05; // what exact rays show (truth), as albedo of the skin ...
 constexpr double kRoot = 0.15; // ... and of strands, which the map's colour makes brighter than the skin
 constexpr double kTip = 1;
 
@@ -25,9 +25,7 @@ fs::path mapFile(const fs::path& folder) {
 
 /// All of it is `value`.
 Image evenFace(int size, double value) {
-    Image image{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
-    image.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, static_cast<float>(value));
-    return image;
+    return plainImage(size, size, 4, static_cast<float>(value));
 }
 
 /// Seen from the middle of a cube whose +Z face is the patch, directions are places on it.
@@ -43,7 +41,7 @@ Image face(const reference::FurPatch& patch, int size) {
 
 /// Two levels, the coarse one exact like the fine one: a mean of heights would be a map of other strands.
 Result<void> writeMap(const fs::path& folder, const reference::FurPatch& patch) {
-    DdsTexture cube{.format = DdsFormat::Rgba16F, .faces = 6, .mips = 2, .images = {}};
+    DdsTexture cube{.format = DdsFormat::Rgba16F, .faces = 6, .mips = 2};
     for (int side = 0; side < 6; ++side)
         for (const int size : {kMapSize, kMapSize / 2}) {
             constexpr int kAhead = 4; // +Z
@@ -128,8 +126,7 @@ Result<std::vector<double>> FlatFur::draw(const reference::FurView& view, int la
                                                {"gFurKajiyaKay", {0}},
                                                {"gFurRootColor", {kSkin, kSkin, kSkin}},
                                                {"gFurTipColor", {tip, tip, tip}}},
-                                .textures = {{"gFurCubeMap", mapFile(folder_).string()}},
-                                .dump = {}});
+                                .textures = {{"gFurCubeMap", mapFile(folder_).string()}}});
     if (!run) return run.error();
     std::vector<double> fine;
     for (int y = 0; y < side; ++y)

@@ -25,9 +25,6 @@ public:
     /// By exact rays through the same pixels.
     [[nodiscard]] std::vector<double> truth(const reference::FurView& view) const;
 
-    /// The coat's height, in spacings; the map does not depend on it.
-    void setCoat(double coat) { patch_.coat = coat; }
-
 private:
     FlatFur(gpu::Device& device, const reference::FurPatch& patch);
 

@@ -1,15 +1,18 @@
 #include "lab/reference/body_photons.h"
 
-#include "host/support/file.h"
+#include "host/support/cache.h"
 #include "host/support/parallel.h"
+#include "lab/reference/tissue.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <filesystem>
 #include <numbers>
 #include <random>
 
 namespace tegument::reference {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -17,21 +20,6 @@ constexpr double kFarthestStep = 1e30;
 constexpr double kShortestStep = 2e-4; // mm: a border between layers is known so well
 constexpr double kLongestWay = 400;    // mm: what has gone so far is given up, for without absorption a photon may stay for ever
 constexpr double kInset = 2e-5;        // mm below the surface: rays start in 32-bit floats
-
-/// Unpolarised light from index `from` into `to`; nothing passes where `cosine` of the other side is 0.
-struct FresnelShare {
-    double mirrored = 1;
-    double cosine = 0;
-};
-FresnelShare fresnelShare(double from, double to, double cosine) {
-    const double eta = from / to;
-    const double sine2 = eta * eta * (1 - cosine * cosine);
-    if (sine2 >= 1) return {};
-    const double other = std::sqrt(1 - sine2);
-    const double s = (from * cosine - to * other) / (from * cosine + to * other);
-    const double p = (from * other - to * cosine) / (from * other + to * cosine);
-    return {0.5 * (s * s + p * p), other};
-}
 
 class Walk {
 public:
@@ -140,51 +128,12 @@ private:
 /// What a block of photons leaves, triangle by triangle; the last two: what entered in all, what was lost.
 using Block = std::vector<double>;
 
-class BlockFiles {
-public:
-    BlockFiles(const RayScene& surface, const Flesh& flesh, const glm::dvec3& toLight, const BodyPhotonOptions& options)
-        : used_(options.cached) {
-        if (!used_) return;
-        std::string bytes = kMagic;
-        const auto add = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
-        const auto addAll = [&](const auto& list) {
-            bytes += contentHash({reinterpret_cast<const char*>(list.data()), list.size() * sizeof list[0]});
-        };
-        addAll(surface.mesh().positions);
-        addAll(surface.mesh().indices);
-        add(flesh);
-        add(toLight);
-        add(options.photons);
-        add(options.seed);
-        folder_ = cacheFolder() / "photons" / contentHash(bytes);
-    }
-
-    [[nodiscard]] std::optional<Block> load(std::size_t block, std::size_t size) const {
-        std::error_code code;
-        if (!used_ || !std::filesystem::is_regular_file(path(block), code)) return {};
-        const auto bytes = readFile(path(block));
-        if (!bytes || bytes->size() != kHash + size * sizeof(double)) return {};
-        const std::string_view payload = std::string_view(*bytes).substr(kHash);
-        if (contentHash(payload) != std::string_view(*bytes).substr(0, kHash)) return {};
-        Block found(size);
-        std::memcpy(found.data(), payload.data(), payload.size());
-        return found;
-    }
-
-    void store(std::size_t block, const Block& result) const {
-        if (!used_) return;
-        const std::string_view payload(reinterpret_cast<const char*>(result.data()), result.size() * sizeof(double));
-        if (!writeFile(path(block), contentHash(payload) + std::string(payload))) return; // then it is only not there the next time
-    }
-
-private:
-    [[nodiscard]] std::filesystem::path path(std::size_t block) const { return folder_ / (std::to_string(block) + ".bin"); }
-
-    static constexpr const char* kMagic = "TGBODYPH1"; // the digit: raise it with every change of what is computed
-    static constexpr std::size_t kHash = 32;
-    bool used_;
-    std::filesystem::path folder_;
-};
+/// Where the blocks of this light are kept.
+fs::path blockFolder(const RayScene& surface, const Flesh& flesh, const glm::dvec3& toLight, const BodyPhotonOptions& options) {
+    CacheKey key("body photons 2"); // take another number with every change of what is computed
+    key.add(surface.mesh().positions).add(surface.mesh().indices).add(flesh).add(toLight).add(options.photons).add(options.seed);
+    return fs::path("photons") / key.text();
+}
 
 /// Parallel light on a mesh: where it enters.
 class Sun {
@@ -294,16 +243,15 @@ BodyLight photonsInBody(const RayScene& surface, const Flesh& flesh, const glm::
     constexpr std::size_t kBlocks = BodyLight::kBlocks;
     const std::size_t triangles = surface.mesh().indices.size() / 3;
     const Sun sun(surface, toLight);
-    const BlockFiles files(surface, flesh, toLight, options);
+    const fs::path folder = options.cached ? blockFolder(surface, flesh, toLight, options) : fs::path();
     const std::size_t perBlock = std::max<std::size_t>(1, options.photons / kBlocks);
     std::vector<Block> blocks(kBlocks);
     const auto one = [&](std::size_t i) {
-        if (auto known = files.load(i, 2 * triangles + 1)) {
-            blocks[i] = std::move(*known);
-            return;
-        }
-        blocks[i] = followBlock(surface, sun, flesh, toLight, perBlock, options.seed, i);
-        files.store(i, blocks[i]);
+        const fs::path file = folder / (std::to_string(i) + ".bin");
+        auto known = options.cached ? loadCachedList<double>(file) : std::nullopt;
+        const bool whole = known && known->size() == 2 * triangles + 1;
+        blocks[i] = whole ? std::move(*known) : followBlock(surface, sun, flesh, toLight, perBlock, options.seed, i);
+        if (options.cached && !whole) storeCached(file, bytesOf(blocks[i]));
     };
     forEachInParallel(kBlocks, one, options.progress);
     BodyLight all{.entered = std::vector<double>(triangles, 0.0), .variance = std::vector<double>(triangles, 0.0)};

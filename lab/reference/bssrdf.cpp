@@ -1,45 +1,19 @@
 #include "lab/reference/bssrdf.h"
 
-#include "host/support/file.h"
+#include "host/support/cache.h"
 #include "host/support/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <optional>
 #include <string>
-#include <type_traits>
 
 namespace tegument::reference {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-constexpr std::string_view kMagic = "TGBSSRD3"; // the digit: raise it with every change of what is computed
-constexpr std::size_t kChecksumSize = 32;
-
-class Key {
-public:
-    template <class T>
-    void add(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
-        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-    template <class T>
-    void add(const std::vector<T>& list) {
-        add(list.size());
-        bytes_ += contentHash({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
-    }
-    void add(const std::string& text) {
-        add(text.size());
-        bytes_ += text;
-    }
-    [[nodiscard]] std::string hash() const { return contentHash(bytes_); }
-
-private:
-    std::string bytes_ = std::string(kMagic);
-};
-
-void addMesh(Key& key, const Mesh& mesh) {
+void addMesh(CacheKey& key, const Mesh& mesh) {
     key.add(mesh.positions);
     key.add(mesh.normals);
     key.add(mesh.tangents);
@@ -54,7 +28,7 @@ void addMesh(Key& key, const Mesh& mesh) {
 }
 
 /// A function has no content; its values have.
-void addProfile(Key& key, const RadialProfile& profile) {
+void addProfile(CacheKey& key, const RadialProfile& profile) {
     constexpr int kValues = 256;
     key.add(profile.reach);
     key.add(profile.finest);
@@ -63,13 +37,9 @@ void addProfile(Key& key, const RadialProfile& profile) {
     if (profile.flesh != glm::dvec3(0)) key.add(profile.flesh);
 }
 
-std::filesystem::path pathFor(const std::string& key) {
-    return cacheFolder() / "reference" / (key + ".bin");
-}
-
 /// Of everything that D depends on: mesh, maps, light, settings, profile, quadrature, points.
-std::string diffusedKey(const SkinScene& scene, std::span<const ShadedPoint> points, const BssrdfOptions& options) {
-    Key key;
+fs::path diffusedFile(const SkinScene& scene, std::span<const ShadedPoint> points, const BssrdfOptions& options) {
+    CacheKey key("bssrdf 4"); // take another number with every change of what is computed
     addMesh(key, scene.mesh());
     addProfile(key, options.profile);
     key.add(scene.light().eye);
@@ -91,32 +61,7 @@ std::string diffusedKey(const SkinScene& scene, std::span<const ShadedPoint> poi
         key.add(point.point.place.triangle);
         key.add(point.point.place.weights);
     }
-    return key.hash();
-}
-
-/// None where the file is absent, cut short, changed, or does not hold `count` points.
-std::optional<std::vector<Diffused>> loadDiffused(const std::string& key, std::size_t count) {
-    std::error_code code;
-    const std::filesystem::path path = pathFor(key);
-    if (!std::filesystem::is_regular_file(path, code)) return {};
-    const auto bytes = readFile(path);
-    const std::size_t head = kMagic.size() + kChecksumSize;
-    if (!bytes || !bytes->starts_with(kMagic) || bytes->size() != head + count * sizeof(Diffused)) return {};
-    const std::string_view payload = std::string_view(*bytes).substr(head);
-    if (contentHash(payload) != std::string_view(*bytes).substr(kMagic.size(), kChecksumSize)) return {};
-    std::vector<Diffused> diffused(count);
-    std::memcpy(diffused.data(), payload.data(), payload.size());
-    return diffused;
-}
-
-/// A full disk only costs the next run its time: failures are ignored.
-void storeDiffused(const std::string& key, const std::vector<Diffused>& diffused) {
-    static_assert(std::is_trivially_copyable_v<Diffused>);
-    const std::string_view payload(reinterpret_cast<const char*>(diffused.data()), diffused.size() * sizeof(Diffused));
-    std::string bytes(kMagic);
-    bytes += contentHash(payload);
-    bytes += payload;
-    if (!writeFile(pathFor(key), bytes)) return;
+    return fs::path("reference") / (key.text() + ".bin");
 }
 
 /// Bits of x and y by turns: neighbours along the curve are neighbours in the picture.
@@ -168,9 +113,9 @@ Irradiance enteringSkin(const SkinScene& scene) {
 }
 
 std::vector<Diffused> diffuseAll(const SkinScene& scene, std::span<const ShadedPoint> points, const BssrdfOptions& options) {
-    const std::string key = options.cached ? diffusedKey(scene, points, options) : "";
+    const fs::path file = options.cached ? diffusedFile(scene, points, options) : fs::path();
     if (options.cached)
-        if (auto known = loadDiffused(key, points.size())) return std::move(*known);
+        if (auto known = loadCachedList<Diffused>(file); known && known->size() == points.size()) return std::move(*known);
     const Irradiance irradiance = enteringSkin(scene);
     std::vector<Diffused> all(points.size());
     const auto one = [&](std::size_t i) {
@@ -179,7 +124,7 @@ std::vector<Diffused> diffuseAll(const SkinScene& scene, std::span<const ShadedP
             all[i] = diffuse(scene.rays(), irradiance, options.profile, point.position, options.quadrature, glm::normalize(point.normal));
     };
     forEachInParallel(points.size(), one, options.progress);
-    if (options.cached) storeDiffused(key, all);
+    if (options.cached) storeCached(file, bytesOf(all));
     return all;
 }
 

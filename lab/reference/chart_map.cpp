@@ -15,7 +15,7 @@ std::vector<glm::dvec2> densities(const Mesh& mesh, const Unwrapped& places) {
 
 ChartMap chartMap(const Mesh& mesh, int size, const std::function<glm::dvec4(const SurfacePoint&)>& value) {
     const Unwrapped places = unwrap(mesh, size);
-    ChartMap result{.map = {.size = size, .texels = {}, .valid = {}}, .density = densities(mesh, places)};
+    ChartMap result{.map = {.size = size}, .density = densities(mesh, places)};
     for (const auto& place : places.texels) {
         result.map.valid.push_back(place ? 1 : 0);
         result.map.texels.push_back(place ? value(interpolate(mesh, *place)) : glm::dvec4(0));

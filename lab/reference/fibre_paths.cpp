@@ -1,13 +1,11 @@
 #include "lab/reference/fibre_paths.h"
 
-#include "host/support/file.h"
 #include "host/support/parallel.h"
 #include "host/support/rays/curve_tree.h"
 #include "host/support/rays/surface_tree.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <optional>
 
@@ -80,28 +78,6 @@ struct Vertex {
     glm::dvec3 normal{0};
     std::optional<CurveHit> fibre; // none: skin
 };
-
-constexpr char kSumsMagic[8] = {'T', 'G', 'F', 'I', 'B', 'R', 'E', '1'};
-
-struct SumsHead {
-    char magic[8];
-    std::uint64_t scene;
-    std::uint64_t samples;
-    std::int32_t width;
-    std::int32_t height;
-};
-
-template <class Value>
-void append(std::string& bytes, const Value* values, std::size_t count) {
-    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
-}
-
-template <class Value>
-void take(const std::string& bytes, std::size_t& at, std::vector<Value>& values, std::size_t count) {
-    values.resize(count);
-    std::memcpy(values.data(), bytes.data() + at, count * sizeof(Value));
-    at += count * sizeof(Value);
-}
 
 /// I0(x) / e^x to 2e-7: M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 9.8.1 and 9.8.2.
 double scaledBessel(double x) {
@@ -271,7 +247,7 @@ glm::dvec3 FibrePaths::radiance(const glm::dvec3& origin, const glm::dvec3& dire
 void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& sums) const {
     const std::size_t pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
     if (sums.sum.size() != pixels) {
-        sums = {.width = camera.width, .height = camera.height, .samples = 0, .sum = {}, .square = {}, .covered = {}};
+        sums = {.width = camera.width, .height = camera.height, .samples = 0};
         sums.sum.resize(pixels, glm::dvec3(0));
         sums.square.resize(pixels, glm::dvec3(0));
         sums.covered.resize(pixels, 0);
@@ -297,7 +273,7 @@ void FibrePaths::trace(const Pinhole& camera, std::uint64_t samples, FibreSums& 
 }
 
 Image FibreSums::picture() const {
-    Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
+    Image image{.width = width, .height = height, .channels = 3};
     image.pixels.reserve(3 * sum.size());
     for (const glm::dvec3& each : sum)
         for (int c = 0; c < 3; ++c)
@@ -323,31 +299,24 @@ double FibreSums::noise(int block) const {
     return std::sqrt((variance.x + variance.y + variance.z) / std::max(all, 1e-300));
 }
 
-Result<void> saveSums(const std::filesystem::path& file, const FibreSums& sums, std::uint64_t scene) {
-    SumsHead head{.magic = {}, .scene = scene, .samples = sums.samples, .width = sums.width, .height = sums.height};
-    std::copy_n(kSumsMagic, sizeof kSumsMagic, head.magic);
-    std::string bytes;
-    append(bytes, &head, 1);
-    append(bytes, sums.sum.data(), sums.sum.size());
-    append(bytes, sums.square.data(), sums.square.size());
-    append(bytes, sums.covered.data(), sums.covered.size());
-    return writeFile(file, bytes);
+std::vector<double> numbersOf(const FibreSums& sums) {
+    std::vector<double> numbers = {static_cast<double>(sums.width), static_cast<double>(sums.height), static_cast<double>(sums.samples)};
+    for (std::size_t i = 0; i < sums.sum.size(); ++i)
+        for (const double number :
+             {sums.sum[i].x, sums.sum[i].y, sums.sum[i].z, sums.square[i].x, sums.square[i].y, sums.square[i].z, sums.covered[i]})
+            numbers.push_back(number);
+    return numbers;
 }
 
-FibreSums loadSums(const std::filesystem::path& file, std::uint64_t scene) {
-    if (!std::filesystem::exists(file)) return {};
-    const auto bytes = readFile(file);
-    SumsHead head{};
-    if (!bytes || bytes->size() < sizeof head) return {};
-    std::memcpy(&head, bytes->data(), sizeof head);
-    const auto pixels = static_cast<std::size_t>(std::max(head.width, 0)) * static_cast<std::size_t>(std::max(head.height, 0));
-    const std::size_t whole = sizeof head + pixels * (2 * sizeof(glm::dvec3) + sizeof(double));
-    if (!std::equal(kSumsMagic, kSumsMagic + sizeof kSumsMagic, head.magic) || head.scene != scene || bytes->size() != whole) return {};
-    FibreSums sums{.width = head.width, .height = head.height, .samples = head.samples, .sum = {}, .square = {}, .covered = {}};
-    std::size_t at = sizeof head;
-    take(*bytes, at, sums.sum, pixels);
-    take(*bytes, at, sums.square, pixels);
-    take(*bytes, at, sums.covered, pixels);
+FibreSums sumsOf(const std::vector<double>& numbers) {
+    if (numbers.size() < 3) return {};
+    FibreSums sums{
+        .width = static_cast<int>(numbers[0]), .height = static_cast<int>(numbers[1]), .samples = static_cast<std::uint64_t>(numbers[2])};
+    for (std::size_t i = 3; i + 7 <= numbers.size(); i += 7) {
+        sums.sum.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+        sums.square.emplace_back(numbers[i + 3], numbers[i + 4], numbers[i + 5]);
+        sums.covered.push_back(numbers[i + 6]);
+    }
     return sums;
 }
 

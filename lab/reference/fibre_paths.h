@@ -6,7 +6,6 @@
 // x runs along it. It keeps energy: without absorption all that comes in goes out.
 
 #include "host/image/image.h"
-#include "host/support/result.h"
 #include "lab/reference/pinhole.h"
 #include "lab/reference/surface.h"
 
@@ -14,7 +13,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -118,9 +116,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Sums of an interrupted trace, so that it can go on. `scene`: a number that another scene, camera or seed would not have.
-[[nodiscard]] Result<void> saveSums(const std::filesystem::path& file, const FibreSums& sums, std::uint64_t scene);
-/// Empty sums where there is no file of this scene.
-[[nodiscard]] FibreSums loadSums(const std::filesystem::path& file, std::uint64_t scene);
+/// As numbers to be kept, so that an interrupted trace can go on; and back.
+[[nodiscard]] std::vector<double> numbersOf(const FibreSums& sums);
+[[nodiscard]] FibreSums sumsOf(const std::vector<double>& numbers);
 
 } // namespace tegument::reference

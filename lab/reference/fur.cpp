@@ -180,7 +180,7 @@ bool FurShells::isClear(int x, int y) const {
 }
 
 FurFacet FurShells::facet(const FurFragment& fragment) const {
-    FurFacet facet{.positions = corners(fragment.triangle, fragment.height), .rest = {}, .normals = {}};
+    FurFacet facet{.positions = corners(fragment.triangle, fragment.height)};
     for (std::size_t c = 0; c < 3; ++c) {
         const std::uint32_t vertex = mesh_.indices[3 * std::size_t{fragment.triangle} + c];
         facet.rest[c] = glm::dvec3(mesh_.positions[vertex]) - glm::dvec3(mesh_.bounds.centre);

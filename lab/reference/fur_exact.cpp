@@ -63,10 +63,6 @@ std::array<glm::dvec3, 3> cornersOf(const Mesh& mesh, std::uint32_t triangle) {
     return corners;
 }
 
-} // namespace
-
-namespace {
-
 /// The nearest place within `radius`, and how far it is.
 std::optional<Place> nearestPlace(const RayScene& skin, const glm::dvec3& point, const glm::dvec3& facing, double radius, double& least) {
     std::optional<Place> nearest;

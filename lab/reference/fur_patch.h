@@ -35,16 +35,6 @@ inline constexpr double kNoHit = -1;
 /// Height at which the ray first meets a strand, by the quadratic of each cone that it can reach; kNoHit where it meets the skin first.
 [[nodiscard]] double exactHit(const FurPatch& patch, const FurRay& ray);
 
-/// How layers are spread over the coat: heights share^exponent, below 1 denser at the tips.
-[[nodiscard]] double layerHeight(double share, double exponent);
-
-/// Height of the topmost of `layers` point-sampled shells, at ((l - 1/2) / layers)^exponent, on which the ray falls on a strand's section.
-[[nodiscard]] double shellHit(const FurPatch& patch, const FurRay& ray, int layers, double exponent = 1);
-
-/// The same with swept shells at (l / layers)^exponent: between two neighbouring layers the segment of the ray is intersected with the
-/// cones in at most `cells` cells along it, so that nothing between layers is lost while a segment is no longer than that.
-[[nodiscard]] double sweptHit(const FurPatch& patch, const FurRay& ray, int layers, int cells, double exponent = 1);
-
 /// Up to where a point of the patch is covered, a share of the coat; below 0 beside all strands, where their cones go on: what a fur map of
 /// the patch holds, so that nothing bends at their feet when it is interpolated.
 [[nodiscard]] double heightOver(const FurPatch& patch, double x, double y);
@@ -56,30 +46,10 @@ struct FurView {
     int samples = 4;    // along each side of a pixel
 };
 
-/// Which of the above draws a picture.
-struct FurMethod {
-    enum class Kind { Exact, Shells, Swept } kind = Kind::Exact;
-    int layers = 0;
-    int cells = 0;
-    double exponent = 1;
-};
-
-/// Height at which the method draws the ray, or kNoHit.
-[[nodiscard]] double hitOf(const FurPatch& patch, const FurRay& ray, const FurMethod& method);
-
-/// Brightness of each pixel, 0.05 skin, 0.15 to 1 strands from root to tip.
-[[nodiscard]] std::vector<double> drawPatch(const FurPatch& patch, const FurView& view, const FurMethod& method);
-
 struct FurError {
     double rms = 0;
     double bias = 0; // mean of picture - truth
 };
-/// Share of what the strands truly cover that the method leaves open.
-[[nodiscard]] double coverageGap(const FurPatch& patch, const FurView& view, const FurMethod& method);
-
-/// How far tips stand out over the last layer that shows them, mean over strands, spacings: what an outline loses of its height.
-[[nodiscard]] double outlineGap(const FurPatch& patch, int layers, double exponent = 1);
-
 [[nodiscard]] FurError furError(const std::vector<double>& picture, const std::vector<double>& truth);
 
 } // namespace tegument::reference

@@ -278,8 +278,7 @@ FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFr
     const Here here = hereOf(fur, fragment, facet, eye);
     const double doublings = std::max(here.spare + kMargin, 0.0);
     const int stride = static_cast<int>(std::exp2(std::floor(doublings)));
-    FurSeen seen{.met = {},
-                 .drawn = (fur.layers - fragment.layer) % stride == 0,
+    FurSeen seen{.drawn = (fur.layers - fragment.layer) % stride == 0,
                  .decided = doublings == 0 || std::abs(doublings - std::round(doublings)) > 1e-4};
     if (!seen.drawn) return seen;
 

@@ -63,7 +63,7 @@ Row throughLevel(Row row, int level) {
 Image splineLevel(const Image& base, int level) {
     const Row weights = gatheredBy(level);
     const int side = 1 << level;
-    Image result{.width = base.width / side, .height = base.height / side, .channels = base.channels, .pixels = {}, .metadata = {}};
+    Image result{.width = base.width / side, .height = base.height / side, .channels = base.channels};
     const auto inside = [&](int first, int size) { return first >= 0 && first + static_cast<int>(weights.size()) <= size; };
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) {
@@ -87,7 +87,7 @@ EdgeAnswer splineEdge(int level) {
     constexpr int kStepsOfALevel = 16; // of the answer, in a texel of the level
     const int side = 1 << level;
     const auto texels = static_cast<std::size_t>(4 * kReach * side);
-    EdgeAnswer answer{.first = -static_cast<double>(kReach * side), .step = static_cast<double>(side) / kStepsOfALevel, .values = {}};
+    EdgeAnswer answer{.first = -static_cast<double>(kReach * side), .step = static_cast<double>(side) / kStepsOfALevel};
     answer.values.assign(2 * kReach * kStepsOfALevel + 1, 0.0);
     const int edges = side * kPlaces;
     for (int k = 0; k < edges; ++k) {

@@ -100,7 +100,7 @@ std::optional<Jacobian> jacobian(const Mesh& mesh, std::uint32_t triangle) {
 }
 
 Unwrapped unwrap(const Mesh& mesh, int size) {
-    Unwrapped out{.size = size, .texels = {}};
+    Unwrapped out{.size = size};
     out.texels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     for (std::uint32_t triangle = 0; 3 * static_cast<std::size_t>(triangle) < mesh.indices.size(); ++triangle)
         drawTriangle(mesh, triangle, out);

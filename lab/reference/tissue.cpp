@@ -34,21 +34,6 @@ Layer layerOf(const Substance& substance, int channel, double thickness) {
     return {substance.absorption.at(c) * kPerCentimetre, substance.scattering.at(c) * kPerCentimetre, thickness, substance.index};
 }
 
-/// Unpolarised light between two indices. `cosine` > 0 on the side that it comes from.
-struct Crossing {
-    double reflected = 1;
-    double cosine = 0; // on the other side; 0 where all is reflected
-};
-Crossing fresnel(double from, double to, double cosine) {
-    const double eta = from / to;
-    const double sine2 = eta * eta * (1 - cosine * cosine);
-    if (sine2 >= 1) return {};
-    const double other = std::sqrt(1 - sine2);
-    const double s = (from * cosine - to * other) / (from * cosine + to * other);
-    const double p = (from * other - to * cosine) / (from * other + to * cosine);
-    return {0.5 * (s * s + p * p), other};
-}
-
 /// What one block of photons leaves.
 struct Tally {
     double mirrored = 0;
@@ -88,7 +73,7 @@ private:
     void start(Launch launch) {
         depths_ = opticalDepth();
         if (launch == Launch::Diffuse) return turn(std::sqrt(1 - uniform()));
-        const double mirrored = fresnel(1, tissue_.front().index, 1).reflected;
+        const double mirrored = fresnelShare(1, tissue_.front().index, 1).mirrored;
         tally_.mirrored += mirrored;
         weight_ = 1 - mirrored;
     }
@@ -117,12 +102,12 @@ private:
         const bool outside = down ? layer_ + 1 == tissue_.size() : layer_ == 0;
         const double here = tissue_[layer_].index;
         const double there = outside ? 1 : tissue_[down ? layer_ + 1 : layer_ - 1].index;
-        const Crossing crossing = fresnel(here, there, std::abs(direction_.z));
+        const FresnelShare crossing = fresnelShare(here, there, std::abs(direction_.z));
         if (outside) {
-            leave(down, weight_ * (1 - crossing.reflected));
-            weight_ *= crossing.reflected;
+            leave(down, weight_ * (1 - crossing.mirrored));
+            weight_ *= crossing.mirrored;
             direction_.z = -direction_.z;
-        } else if (uniform() < crossing.reflected) {
+        } else if (uniform() < crossing.mirrored) {
             direction_.z = -direction_.z;
         } else {
             const double eta = here / there;
@@ -169,6 +154,16 @@ double errorOf(const std::vector<Tally>& blocks, double Tally::*share, double me
 }
 
 } // namespace
+
+FresnelShare fresnelShare(double from, double to, double cosine) {
+    const double eta = from / to;
+    const double sine2 = eta * eta * (1 - cosine * cosine);
+    if (sine2 >= 1) return {};
+    const double other = std::sqrt(1 - sine2);
+    const double s = (from * cosine - to * other) / (from * cosine + to * other);
+    const double p = (from * other - to * cosine) / (from * other + to * cosine);
+    return {0.5 * (s * s + p * p), other};
+}
 
 Tissue layeredSkin(int channel) {
     return {layerOf(kEpidermis, channel, kEpidermisThickness), layerOf(kUpperDermis, channel, kUpperDermisThickness),

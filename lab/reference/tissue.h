@@ -18,6 +18,13 @@ struct Layer {
 /// From the surface down, for one wavelength.
 using Tissue = std::vector<Layer>;
 
+/// Unpolarised light from index `from` into `to`; `cosine` > 0 on the side that it comes from.
+struct FresnelShare {
+    double mirrored = 1;
+    double cosine = 0; // on the other side; 0 where all is mirrored
+};
+[[nodiscard]] FresnelShare fresnelShare(double from, double to, double cosine);
+
 /// Donner and Jensen (2005): epidermis 0.25 mm, upper dermis 0.20 mm, bloody dermis; coefficients in 1/cm (their figures in 1/mm would
 /// leave scattering radii of 0.06 mm), indices 1.4, 1.34, 1.4. `channel`: 0 red, 1 green, 2 blue.
 [[nodiscard]] Tissue layeredSkin(int channel);

@@ -81,8 +81,7 @@ Result<void> measureEdge(const Context& context, const Effect& effect, const Har
                                    .value = worst.value,
                                    .limit = std::nullopt,
                                    .cause = fmt::format("{}, {:.2g} mm from the edge, of {} texels", at("texel", worst), where, texels),
-                                   .notFinite = notFinite(run->image).count,
-                                   .why = {}});
+                                   .notFinite = notFinite(run->image).count});
     return {};
 }
 

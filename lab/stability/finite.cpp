@@ -46,7 +46,7 @@ Result<void> scan(const Context& context, EffectSession& session, const SessionF
 }
 
 Result<void> drawScene(const Context& context, const Effect& effect, const std::string& setting, const HardScene& scene, Tally& tally) {
-    EffectSession session(context.device, effect, {.mesh = &scene.mesh, .objects = {}});
+    EffectSession session(context.device, effect, {.mesh = &scene.mesh});
     for (const Technique& technique : effect.techniques) {
         const RunOptions options = runOptions(context, effect, technique.name, scene, context.options.size);
         const auto frame = session.draw(scene.workspace, options);
@@ -127,8 +127,7 @@ Result<void> measureFinite(const Context& context) {
             if (!drawn) return drawn.error();
             count = *drawn;
         }
-        context.report.rows.push_back({.part = {},
-                                       .module = file.stem().string(),
+        context.report.rows.push_back({.module = file.stem().string(),
                                        .hardCase = drawnCase(count, effect->techniques.size(), *settings),
                                        .figure = "values that are not finite, all targets",
                                        .value = static_cast<double>(tally.values),

@@ -30,7 +30,6 @@ StabilityRow rowFrom(const Json& json) {
                      .hardCase = json.at("case"),
                      .figure = json.at("figure"),
                      .value = std::numeric_limits<double>::quiet_NaN(),
-                     .limit = {},
                      .cause = json.at("cause"),
                      .notFinite = json.at("not_finite"),
                      .why = json.at("why")};

@@ -86,8 +86,7 @@ std::vector<HardScene> lampScenes() {
 /// Black but for one pixel, in front above on the left.
 Image onePixel(float radiance) {
     constexpr int kHeight = 64;
-    Image image{.width = 2 * kHeight, .height = kHeight, .channels = 3, .pixels = {}};
-    image.pixels.assign(std::size_t{6} * kHeight * kHeight, 0.0F);
+    Image image = plainImage(2 * kHeight, kHeight, 3);
     for (int c = 0; c < 3; ++c)
         image.at(90, 20, c) = radiance;
     return image;

@@ -107,8 +107,7 @@ Result<void> measureFormats(const Context& context) {
             if (!full) return full.error();
             const PictureError error = differenceOf(*half, *full);
             context.report.rows.push_back(
-                {.part = {},
-                 .module = moduleName(file, subject.technique, setting),
+                {.module = moduleName(file, subject.technique, setting),
                  .hardCase = "maps of 16 against 32 bits a channel",
                  .figure = "relative L2",
                  .value = error.relativeL2,
@@ -134,8 +133,7 @@ Result<void> measureCompilers(const Context& context) {
         return std::pair(std::move(*dxc), std::move(*glslang));
     };
     return everyEffect(context, both, [](const std::string& effect, const Pairs& pairs) {
-        return StabilityRow{.part = {},
-                            .module = effect,
+        return StabilityRow{.module = effect,
                             .hardCase = fmt::format("DXC against glslang, {} pictures, float maps", pairs.pictures),
                             .figure = "largest share of pixels that differ by more than 1e-3 of the mean",
                             .value = pairs.worst.beyond,
@@ -167,15 +165,13 @@ Result<void> measureDevices(const Context& context) {
         return std::pair(std::move(*here), std::move(*there));
     };
     return everyEffect(context, both, [&](const std::string& effect, const Pairs& pairs) {
-        return StabilityRow{.part = {},
-                            .module = effect,
+        return StabilityRow{.module = effect,
                             .hardCase = fmt::format("{}, {} pictures, float maps", pair, pairs.pictures),
                             .figure = "largest relative L2",
                             .value = pairs.worst.relativeL2,
                             .limit = std::nullopt,
                             .cause = pairs.where,
-                            .notFinite = pairs.notFinite,
-                            .why = {}};
+                            .notFinite = pairs.notFinite};
     });
 }
 

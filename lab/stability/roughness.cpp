@@ -124,7 +124,7 @@ Result<void> measureLobes(const Context& context) {
     for (const Directions& directions : kWide)
         wide.emplace_back(context, directions, kWholeCap);
     for (const double m : {1.0, 0.3, 0.1, 0.05, 0.03, 0.01, 0.003, 0.001, 0.0}) {
-        Lobe lobe{.m = m, .cause = {}};
+        Lobe lobe{.m = m};
         if (const auto measured = measureLobe(context, *effect, wide, lobe); !measured) return measured.error();
         context.report.rows.push_back(
             {.part = {},

@@ -118,8 +118,7 @@ Result<Sweep> sweepOf(const Context& context, const Effect& effect, const Subjec
 void addRows(const Context& context, const Subject& subject, const Sweep& sweep) {
     const std::string module =
         fmt::format("{}, {} [{}]", std::filesystem::path(subject.effect).stem().string(), subject.technique, subject.setting);
-    context.report.rows.push_back({.part = {},
-                                   .module = module,
+    context.report.rows.push_back({.module = module,
                                    .hardCase = "radius of the scene 1 mm to 10 m",
                                    .figure = "largest relative L2 to the picture at 100 mm",
                                    .value = sweep.judged.relativeL2,
@@ -128,15 +127,13 @@ void addRows(const Context& context, const Subject& subject, const Sweep& sweep)
                                    .notFinite = sweep.notFinite,
                                    .why = "single texels on the edge of a shadow tip over with the last bit"});
     context.report.rows.push_back(
-        {.part = {},
-         .module = module,
+        {.module = module,
          .hardCase = "radius of the scene 1e-4 to 1e6 mm",
          .figure = fmt::format("the same; below {:g} from {:.0e} to {:.0e} mm", kSamePicture, sweep.smallest, sweep.largest),
          .value = sweep.all.relativeL2,
          .limit = std::nullopt,
          .cause = sweep.all.cause,
-         .notFinite = sweep.notFinite,
-         .why = {}});
+         .notFinite = sweep.notFinite});
 }
 
 } // namespace

@@ -35,7 +35,7 @@ Workspace stage(const glm::vec3& camera, const glm::vec3& light) {
 }
 
 Image constant(const glm::vec4& value) {
-    Image image{.width = 2, .height = 2, .channels = 4, .pixels = {}, .bitsPerChannel = 16, .metadata = {}};
+    Image image{.width = 2, .height = 2, .channels = 4, .bitsPerChannel = 16};
     for (int i = 0; i < 4; ++i)
         for (int c = 0; c < 4; ++c)
             image.pixels.push_back(value[c]);
@@ -97,7 +97,7 @@ Image edgeMap(const Mesh& mesh) {
     constexpr int kSize = 1024;
     constexpr int kGap = 4;
     const reference::Unwrapped charts = reference::unwrap(mesh, kSize);
-    Image image{.width = kSize, .height = kSize, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image image{.width = kSize, .height = kSize, .channels = 4, .bitsPerChannel = 8};
     image.pixels.assign(std::size_t{4} * kSize * kSize, 0.0F);
     const auto nearest = [&](int x, int y) -> const reference::Place* {
         for (int away = 0; away <= kGap; ++away)

@@ -65,8 +65,7 @@ Result<StabilityReport> measureStability(gpu::Device& device, const StabilityOpt
                            .driver = device.info().driver,
                            .compiler = compilerName(options.compiler),
                            .size = options.size,
-                           .rows = {},
-                           .notes = {}};
+                           .rows = {}};
     const stability::Context context{device, options, report};
     for (const Part& part : kParts) {
         if (!options.parts.empty() && std::ranges::find(options.parts, part.name) == options.parts.end()) continue;

@@ -18,7 +18,7 @@ bool Context::wants(std::string_view module) const {
 }
 
 Result<Effect> load(const Context& context, const fs::path& file, const std::string& setting, const Defines& defines) {
-    LoadOptions options{.defines = defines, .includeFolders = {}};
+    LoadOptions options{.defines = defines};
     const auto missing = [&](const char* name) {
         return std::ranges::none_of(options.defines, [&](const auto& define) { return define.first == name; });
     };

@@ -43,9 +43,6 @@ struct HardScene {
     Defines defines{};  // beside the setting
 };
 
-/// "seed", "deon2007", "corrected": TEGUMENT_SETTING by name.
-[[nodiscard]] std::string settingNumber(const std::string& setting);
-
 /// With the setting and the options' map size; `defines` win.
 [[nodiscard]] Result<Effect> load(const Context& context, const std::filesystem::path& file, const std::string& setting,
                                   const Defines& defines = {});

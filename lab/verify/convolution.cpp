@@ -19,7 +19,7 @@ using reference::ChartMap;
 using reference::Map;
 
 Map mapFrom(const Image& image) {
-    Map map{.size = image.width, .texels = {}, .valid = {}};
+    Map map{.size = image.width};
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             map.texels.emplace_back(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2), image.at(x, y, 3));
@@ -29,7 +29,7 @@ Map mapFrom(const Image& image) {
 }
 
 Image imageFrom(const Map& map, int channels) {
-    Image image = blank(map.size, map.size, channels);
+    Image image = plainImage(map.size, map.size, channels);
     for (int y = 0; y < map.size; ++y)
         for (int x = 0; x < map.size; ++x)
             for (int c = 0; c < channels; ++c)

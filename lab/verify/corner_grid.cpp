@@ -70,7 +70,7 @@ Mesh scatteredTriangles() {
 
 Result<Image> drawPlaces(const Context& context, const Mesh& mesh) {
     const std::filesystem::path file = context.options.effects / "corner_grid.fx"; // in no folder: includes are found from there
-    const auto effect = loadEffect(file, {.defines = {}, .includeFolders = {}}, [&](const std::filesystem::path& path) {
+    const auto effect = loadEffect(file, {}, [&](const std::filesystem::path& path) {
         return path == file ? Result<std::string>(std::string(kPlaces)) : readFile(path);
     });
     if (!effect) return effect.error();

@@ -38,7 +38,7 @@ constexpr std::array kMaps = {"gIrradianceMap",  "gIrradiance2Map", "gIrradiance
 /// Colour that makes the light an edge: black, white, and between them the texel that the edge crosses, by its share. With gMix = 1 all of
 /// the colour is taken before diffusion. Floats, which are taken as linear.
 Image edgeColour(int size, double phase) {
-    Image image = blank(size, 1, 4);
+    Image image = plainImage(size, 1, 4);
     const int middle = size / 2;
     for (int x = 0; x < size; ++x) {
         const double share = std::clamp(x - middle + phase + 0.5, 0.0, 1.0);
@@ -95,7 +95,7 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
                             &mesh, workspace);
     if (!run) return run.error();
     const double light = run->dumped.at("gIrradianceMap").at(size * 7 / 8, size / 2, 0);
-    DrawnEdge edge{.texel = texel, .phase = phase, .maps = {}};
+    DrawnEdge edge{.texel = texel, .phase = phase};
     for (const char* map : kMaps) {
         std::vector<double> row;
         for (int x = 0; x < size; ++x)

@@ -45,7 +45,7 @@ public:
         sphere_ = reference::Texture(sphere, false);
         // Floats: eight bits would be filtered in eight bits, and drown what is looked for.
         if (auto written = writeDds(file(false), makeDds(sphere, DdsFormat::Rgba32F, false)); !written) return written;
-        DdsTexture cube{.format = DdsFormat::Rgba32F, .faces = 6, .mips = 1, .images = {}};
+        DdsTexture cube{.format = DdsFormat::Rgba32F, .faces = 6, .mips = 1};
         for (std::size_t face = 0; face < faces_.size(); ++face) {
             faces_[face] = furPattern(kCubeMapSize, static_cast<int>(face) + 1);
             cube.images.push_back(faces_[face]);
@@ -165,7 +165,7 @@ struct Drawn {
 /// The reference's picture, and the pixels in which it has a say.
 Drawn drawReference(const View& view, const Part& part, const Maps& maps, const glm::dvec3& background) {
     const int size = view.truth.camera.width;
-    Drawn drawn{.picture = blank(size, size, 3), .counts = {}, .covered = {}};
+    Drawn drawn{.picture = plainImage(size, size, 3)};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             glm::dvec3 sum = background;

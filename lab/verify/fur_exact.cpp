@@ -76,7 +76,7 @@ private:
     }
 
     [[nodiscard]] bool shadowIsTold(const FurFragment& at, bool lit) const {
-        if (at.layer == 0) return !truth.skin.nearShadowEdge({.place = {}, .position = at.position, .normal = at.normal}, kShadowEdge);
+        if (at.layer == 0) return !truth.skin.nearShadowEdge({.position = at.position, .normal = at.normal}, kShadowEdge);
         const double texel = truth.light.footprint(glm::dot(at.position - light.position, truth.light.forward));
         // One texel is looked up, whose centre lies up to half a texel aside, where the skin may be that much nearer to the light.
         constexpr double kAside = 0.55;
@@ -96,7 +96,7 @@ ExactPicture drawExact(const FurWindow& window, const VerifyOptions& options) {
     const Sight sight(window, own);
     const auto width = static_cast<std::size_t>(window.size);
     const std::size_t pixels = width * static_cast<std::size_t>(heightOf(window));
-    ExactPicture exact{.picture = blank(window.size, heightOf(window), 3),
+    ExactPicture exact{.picture = plainImage(window.size, heightOf(window), 3),
                        .counts = std::vector<std::uint8_t>(pixels),
                        .covered = std::vector<std::uint8_t>(pixels)};
     forEachInParallel(pixels, [&](std::size_t pixel) {

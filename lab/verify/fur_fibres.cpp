@@ -2,7 +2,7 @@
 // the options' mesh, in a coat of locks of one colour in each channel.
 
 #include "host/image/dds.h"
-#include "host/support/file.h"
+#include "host/support/cache.h"
 #include "host/support/temporary.h"
 #include "lab/reference/fibre_paths.h"
 #include "lab/verify/fur_scene.h"
@@ -116,13 +116,7 @@ reference::FibreLight lightAtPhase(const FibreStage& stage, double phase) {
 }
 
 Result<FibreStage> makeStage(const Context& context, const FibreShape& shape) {
-    FibreStage stage{.skin = shape.mesh,
-                     .furry = shape.mesh,
-                     .roots = {},
-                     .toEye = shape.toEye,
-                     .workspace = worldWorkspace(),
-                     .parameters = {},
-                     .strands = {}};
+    FibreStage stage{.skin = shape.mesh, .furry = shape.mesh, .roots = {}, .toEye = shape.toEye, .workspace = worldWorkspace()};
     const auto radius = static_cast<double>(stage.furry.bounds.radius);
     for (std::size_t i = 0; i < stage.skin.positions.size(); ++i)
         stage.skin.positions[i] += static_cast<float>(kFibreUndercoat * kFibreCoat * radius) * stage.skin.normals[i];
@@ -160,34 +154,28 @@ Result<FibreStage> makeStage(const Context& context, const FibreShape& shape) {
     return stage;
 }
 
-std::uint64_t keyOf(const FibreStage& stage, double phase, int size) {
-    std::string bytes = fmt::format("fibres 3, phase {}, size {}, eye {} {} {}", phase, size, stage.toEye.x, stage.toEye.y, stage.toEye.z);
-    for (const reference::FibreAxis& axis : stage.strands)
-        bytes.append(reinterpret_cast<const char*>(axis.data()), axis.size() * sizeof(glm::vec4));
-    return std::stoull(contentHash(bytes).substr(0, 16), nullptr, 16);
-}
-
 /// By paths; what has been traced once is kept in the cache, and an interrupted trace goes on.
-Result<reference::FibreSums> traceStage(const FibreStage& stage, double phase, int size, int samples) {
-    const std::uint64_t key = keyOf(stage, phase, size);
-    const fs::path file = cacheFolder() / "truth" / fmt::format("fibres_{:016x}.bin", key);
-    reference::FibreSums sums = reference::loadSums(file, key);
-    if (sums.samples >= static_cast<std::uint64_t>(samples)) return sums;
+reference::FibreSums traceStage(const FibreStage& stage, double phase, int size, std::uint64_t samples) {
+    CacheKey key("fibres 4");
+    key.add(phase).add(size).add(stage.toEye);
+    for (const reference::FibreAxis& axis : stage.strands)
+        key.add(axis);
+    const fs::path file = fs::path("truth") / ("fibres_" + key.text() + ".bin");
+    reference::FibreSums sums = reference::sumsOf(loadCachedList<double>(file).value_or(std::vector<double>()));
+    if (sums.samples >= samples) return sums;
     const reference::FibrePaths paths({.strands = stage.strands,
-                                       .fibre = {},
                                        .colour = kFibreColours,
                                        .skin = &stage.skin,
                                        .skinColour = kFibreColours,
-                                       .lights = {lightAtPhase(stage, phase)},
-                                       .environment = {}});
+                                       .lights = {lightAtPhase(stage, phase)}});
     const auto radius = static_cast<double>(stage.skin.bounds.radius);
     const glm::dvec3 centre(stage.skin.bounds.centre);
     const reference::Pinhole camera =
         reference::pinhole(centre + kFibreEye * radius * stage.toEye, centre, {0, 1, 0}, pictureFov(), size, size);
     constexpr std::uint64_t kStep = 4; // samples that an interruption loses
-    while (sums.samples < static_cast<std::uint64_t>(samples)) {
-        paths.trace(camera, std::min<std::uint64_t>(sums.samples + kStep, static_cast<std::uint64_t>(samples)), sums);
-        if (const auto saved = reference::saveSums(file, sums, key); !saved) return saved.error();
+    while (sums.samples < samples) {
+        paths.trace(camera, std::min(sums.samples + kStep, samples), sums);
+        storeCached(file, bytesOf(reference::numbersOf(sums)));
     }
     return sums;
 }
@@ -198,7 +186,7 @@ Result<Image> drawStage(const Context& context, const FibreStage& stage, double 
     workspace.light.direction = glm::vec3(-lightAtPhase(stage, phase).place);
     const auto run = renderStage(context, stage, workspace, "CoatChance", kFibreFiner * size, {});
     if (!run) return run.error();
-    Image mean = blank(size, size, 3);
+    Image mean = plainImage(size, size, 3);
     for (int y = 0; y < kFibreFiner * size; ++y)
         for (int x = 0; x < kFibreFiner * size; ++x)
             for (int c = 0; c < 3; ++c)
@@ -269,10 +257,9 @@ Result<void> judgeShape(ModuleReport& report, const Context& context, const Fibr
     constexpr int kSamples = 64;
     for (const FibrePhase& phase : shape.phases) {
         const auto truth = traceStage(*stage, phase.degrees, size, kSamples);
-        if (!truth) return truth.error();
         const auto drawn = drawStage(context, *stage, phase.degrees, size);
         if (!drawn) return drawn.error();
-        const FibreError error = errorOf(*drawn, *truth);
+        const FibreError error = errorOf(*drawn, truth);
         const std::string subject = fmt::format("CoatChance, {}, paths of light, {:g} degrees", shape.name, phase.degrees);
         for (int c = 0; c < 3; ++c)
             addMetric(report, context, fmt::format("{}: mean, colour {:g}", subject, kFibreColours[c]), error.ratio[c] - 1, phase.means[c],
@@ -280,8 +267,8 @@ Result<void> judgeShape(ModuleReport& report, const Context& context, const Fibr
         addMetric(report, context, subject + ": blocks of 8 pixels", error.blocks, phase.blocks, kOfFibres);
         report.notes.push_back(fmt::format("{}: noise of the truth's blocks {:.3f}, subtracted", subject, error.noise));
         report.pictures.push_back({subject, PictureRole::Rendered, *drawn});
-        report.pictures.push_back({subject, PictureRole::Reference, truth->picture()});
-        report.pictures.push_back({subject, PictureRole::Difference, differenceImage(*drawn, truth->picture())});
+        report.pictures.push_back({subject, PictureRole::Reference, truth.picture()});
+        report.pictures.push_back({subject, PictureRole::Difference, differenceImage(*drawn, truth.picture())});
     }
     return {};
 }

@@ -115,7 +115,7 @@ SweptPicture drawSwept(const StrandsScene& scene, const VerifyOptions& options, 
     const glm::dvec3 background(scene.scene.workspace.background);
     const int size = view.truth.camera.width;
     const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-    SweptPicture drawn{.picture = blank(size, size, 3), .counts = {}, .covered = {}};
+    SweptPicture drawn{.picture = plainImage(size, size, 3)};
     drawn.counts.resize(pixels);
     drawn.covered.resize(pixels);
     forEachInParallel(pixels, [&](std::size_t pixel) {

@@ -76,7 +76,7 @@ Mesh ball() {
 }
 
 FurScene sceneWith(const VerifyOptions& options, Mesh (*make)(), const char* name) {
-    FurScene scene{.name = name, .scene = {}, .coat = {}};
+    FurScene scene{.name = name};
     scene.coat = {.layers = 12, .length = 0.08, .lean = 0.5, .spread = 0.8, .taper = 1, .softness = 0.5, .fill = {0.05, 0.1, 0.15}};
     scene.coat.kajiyaKay = options.setting == kSettingSeed ? 0 : 1;
     scene.coat.fringes = options.setting == kSettingCorrected;
@@ -152,7 +152,7 @@ std::map<std::string, std::vector<double>> parametersOf(const reference::FurCoat
 Image furPattern(int size, int seed) {
     constexpr int kCell = 4; // texels
     constexpr double kRadius = 3;
-    Image image = blank(size, size, 4);
+    Image image = plainImage(size, size, 4);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             double height = 0;

@@ -13,7 +13,7 @@ namespace tegument::verify {
 template <class Function>
 [[nodiscard]] Image painted(int size, int bits, Function function) {
     const double largest = std::ldexp(1.0, bits) - 1;
-    Image image{.width = size, .height = size, .channels = 4, .pixels = {}, .bitsPerChannel = bits, .metadata = {}};
+    Image image{.width = size, .height = size, .channels = 4, .bitsPerChannel = bits};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const glm::dvec4 value = function((x + 0.5) / size, (y + 0.5) / size);

@@ -137,7 +137,7 @@ glm::dvec4 metricOf(const Mesh& mesh, const reference::SurfacePoint& point, int 
 
 /// Of channel 3, where texels count: the mean around each, evenly weighed down to 0 over a 64th of the map.
 Image smoothed(const Image& whole, const std::vector<std::uint8_t>& covered) {
-    Image mean = blank(whole.width, whole.height, 1);
+    Image mean = plainImage(whole.width, whole.height, 1);
     const int reach = std::max(whole.width / 64, 1);
     const auto share = [&](int offset) { return 1 - std::abs(offset) / static_cast<double>(reach); };
     for (int y = 0; y < whole.height; ++y)
@@ -157,7 +157,7 @@ Image smoothed(const Image& whole, const std::vector<std::uint8_t>& covered) {
 }
 
 Image metricTerms(const Image& metric) {
-    Image terms = blank(metric.width, metric.height, 3);
+    Image terms = plainImage(metric.width, metric.height, 3);
     for (int y = 0; y < metric.height; ++y)
         for (int x = 0; x < metric.width; ++x) {
             const glm::dvec2 dense(metric.at(x, y, 0), metric.at(x, y, 1));

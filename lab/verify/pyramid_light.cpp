@@ -87,7 +87,7 @@ std::vector<std::uint8_t> farFromBorders(const PyramidScene& at, double reach) {
 
 /// One column of an image of the sampled texels.
 Image rowOf(std::size_t count) {
-    return blank(static_cast<int>(count), 1, 3);
+    return plainImage(static_cast<int>(count), 1, 3);
 }
 
 /// Light of the chosen Gaussians at texels, by brute force.
@@ -164,7 +164,7 @@ Result<void> verifyLevels(ModuleReport& report, const Context& context, const Py
         report.notes.emplace_back("Gaussians 2 to 4: no texel is far enough from the border of its chart");
         return {};
     }
-    return hold(report, context, at, {.technique = "Pyramid", .weights = weights, .links = {}}, "Gaussians 2, 3, 4 by levels", texels,
+    return hold(report, context, at, {.technique = "Pyramid", .weights = weights}, "Gaussians 2, 3, 4 by levels", texels,
                 {.relativeL2 = 0.03,
                  .bias = 0.01,
                  .why = "texels as large as the second Gaussian; splines that are no Gaussians; shadow edges of the map's resolution"});

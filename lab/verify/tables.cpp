@@ -15,7 +15,7 @@ namespace {
 
 /// f(x, y) at the texel centres of a table over the unit square.
 Image tabulate(int width, int height, const std::function<double(double, double)>& f) {
-    Image image = blank(width, height, 1);
+    Image image = plainImage(width, height, 1);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             image.at(x, y, 0) = static_cast<float>(f((x + 0.5) / width, (y + 0.5) / height));
@@ -24,7 +24,7 @@ Image tabulate(int width, int height, const std::function<double(double, double)
 
 /// hlsl/surface/halves.fxh.
 Image sumOfHalves(const Image& image) {
-    Image sum = blank(image.width, image.height, 1);
+    Image sum = plainImage(image.width, image.height, 1);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             sum.at(x, y, 0) = image.at(x, y, 0) + image.at(x, y, 1);
@@ -32,7 +32,7 @@ Image sumOfHalves(const Image& image) {
 }
 
 Image firstChannel(const Image& image) {
-    Image first = blank(image.width, image.height, 1);
+    Image first = plainImage(image.width, image.height, 1);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             first.at(x, y, 0) = image.at(x, y, 0);

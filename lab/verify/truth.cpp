@@ -35,7 +35,7 @@ double Truth::zOverW(const glm::dvec3& point) const {
 }
 
 Seen look(const reference::SkinScene& skin, const reference::Pinhole& view) {
-    Seen seen{.width = view.width, .height = view.height, .pixels = {}, .distances = {}};
+    Seen seen{.width = view.width, .height = view.height};
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
             const auto hit = skin.rays().nearest(view.start(x, y), view.ray(x, y));
@@ -46,7 +46,7 @@ Seen look(const reference::SkinScene& skin, const reference::Pinhole& view) {
 }
 
 Seen lookUnwrapped(const Mesh& mesh, int size) {
-    Seen seen{.width = size, .height = size, .pixels = {}, .distances = {}};
+    Seen seen{.width = size, .height = size};
     for (const auto& place : reference::unwrap(mesh, size).texels)
         seen.pixels.push_back(place ? std::optional(reference::interpolate(mesh, *place)) : std::nullopt);
     seen.distances.assign(seen.pixels.size(), 0);
@@ -105,7 +105,7 @@ bool thicknessIsKnown(const Truth& truth, const reference::SurfacePoint& point) 
 }
 
 Image rgb(const Image& image) {
-    Image three = blank(image.width, image.height, 3);
+    Image three = plainImage(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < 3; ++c)
@@ -114,7 +114,7 @@ Image rgb(const Image& image) {
 }
 
 Image channel(const Image& image, int which) {
-    Image one = blank(image.width, image.height, 1);
+    Image one = plainImage(image.width, image.height, 1);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             one.at(x, y, 0) = image.at(x, y, which);

@@ -49,7 +49,7 @@ struct Seen {
 /// value(point, pixel) for every pixel that sees something and counts; others stay 0.
 template <class Value>
 Image paint(const Seen& seen, int channels, Value value) {
-    Image image = blank(seen.width, seen.height, channels);
+    Image image = plainImage(seen.width, seen.height, channels);
     for (int y = 0; y < seen.height; ++y)
         for (int x = 0; x < seen.width; ++x) {
             const std::size_t pixel = seen.index(x, y);

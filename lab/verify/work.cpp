@@ -20,7 +20,7 @@ bool counted(const std::vector<std::uint8_t>& counts, std::size_t pixel) {
 
 /// The pixels that count, in one row: masks are not the business of the picture comparison.
 Image packed(const Image& image, const std::vector<std::uint8_t>& counts) {
-    Image row{.width = 0, .height = 1, .channels = image.channels, .pixels = {}, .metadata = {}};
+    Image row{.width = 0, .height = 1, .channels = image.channels};
     const auto channels = static_cast<std::size_t>(image.channels);
     for (std::size_t pixel = 0; pixel < pixelCount(image); ++pixel) {
         if (!counted(counts, pixel)) continue;
@@ -55,7 +55,7 @@ std::optional<double> relativeApart(const Comparison& comparison) {
 } // namespace
 
 Result<RunResult> render(const Context& context, const RenderJob& job, const Mesh* mesh, const Workspace& workspace) {
-    LoadOptions load{.defines = job.defines, .includeFolders = {}, .setting = context.options.setting};
+    LoadOptions load{.defines = job.defines, .setting = context.options.setting};
     load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(context.options.mapSize));
     const auto effect = loadEffect(context.options.effects / job.effect, load);
     if (!effect) return effect.error();
@@ -114,12 +114,6 @@ double shareApart(const std::vector<std::uint8_t>& counts, const std::vector<std
         apart += covered[i] != 0 && counts[i] == 0;
     }
     return all == 0 ? 0 : static_cast<double>(apart) / static_cast<double>(all);
-}
-
-Image blank(int width, int height, int channels) {
-    Image image{.width = width, .height = height, .channels = channels, .pixels = {}, .metadata = {}};
-    image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels), 0.0F);
-    return image;
 }
 
 } // namespace tegument::verify

@@ -64,8 +64,6 @@ void addMetric(ModuleReport& report, const Context& context, std::string name, d
 /// Share of the pixels that do not count, of those that are `covered`.
 [[nodiscard]] double shareApart(const std::vector<std::uint8_t>& counts, const std::vector<std::uint8_t>& covered);
 
-[[nodiscard]] Image blank(int width, int height, int channels);
-
 /// Step of a half relative to the value: 2^-11 where the hardware rounds, 2^-10 where it truncates, as lavapipe does.
 inline constexpr double kHalfStep = 1.0 / 1024;
 

@@ -1,6 +1,7 @@
 #include "meshprep/assets/cached_links.h"
 
 #include "host/image/dds.h"
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "meshprep/fur/roots/fur_surface.h"
 #include "meshprep/skin/link_cells.h"
@@ -19,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kKind = "tegument skin links";
 
 std::string keyOf(const Mesh& mesh, const LinkOptions& options) {
-    return CacheKey(kLinkVersion)
+    return CacheKey(fmt::format("links {}", kLinkVersion))
         .add(fmt::format("{} {} {} {} {} {} {}", options.variances[0], options.variances[1], options.fourth, options.fourthShare,
                          options.lost, options.nearest, options.growth))
         .add(mesh.positions)
@@ -76,7 +77,7 @@ std::optional<SurfaceFigures> figuresOf(const Json& json) {
 
 Result<void> writeSkinLinks(const fs::path& file, const Mesh& mesh, SkinLinks& links, const LinkOptions& options) {
     const std::string json = toJson(mesh, links, options).dump(2) + "\n";
-    DdsTexture dds{.format = DdsFormat::Rgba16F, .images = {}};
+    DdsTexture dds{.format = DdsFormat::Rgba16F};
     dds.images.push_back(std::move(links.sheet)); // a third of a gigabyte, where a map is of thousands of charts
     if (const auto written = writeDds(file, dds); !written) return written;
     return writeFile(besides(file), json);
@@ -103,8 +104,7 @@ Result<void> checkSkinLinks(const fs::path& file, const Mesh& mesh) {
     if (!made) return {};
     const auto why = whyNotSame(*made, surfaceFigures(mesh));
     if (!why) return {};
-    return inputError(4055, {.file = file.string(), .byte = {}},
-                      fmt::format("these links were made for another mesh than {}: {}", mesh.name, *why),
+    return inputError(4055, {.file = file.string()}, fmt::format("these links were made for another mesh than {}: {}", mesh.name, *why),
                       "leave them out, and they are made; or: tegument prep links MESH -o FILE.dds");
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Links of skin on any mesh: made when nothing names them, and kept in the cache folder, or by `tegument prep links`.
 
-#include "meshprep/assets/cache.h"
+#include "meshprep/assets/generators.h"
 #include "meshprep/skin/skin_links.h"
 
 namespace tegument::assets {

@@ -2,6 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/mesh/mesh.h"
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "meshprep/assets/cached_links.h"
 #include "meshprep/assets/strand_passes.h"
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 namespace tegument::assets {
@@ -32,8 +34,6 @@ inline constexpr const char* kOcclusionGenerator = "occlusion";
 /// Part of the name in the cache: a change of what is made takes another number.
 constexpr int kEnvironmentVersion = 1;
 
-namespace fs = std::filesystem;
-
 /// A default environment, by one of the first two names: a file in the cache, made where it is not there. `say` is told.
 Result<fs::path> cachedEnvironment(const std::string& generator, const Say& say) {
     const auto kind = generator == kSkyGenerator ? DefaultEnvironment::Sky : DefaultEnvironment::Studio;
@@ -47,7 +47,8 @@ Result<fs::path> cachedEnvironment(const std::string& generator, const Say& say)
 
 /// The mesh's own, by its shape and texture coordinates.
 Result<fs::path> cachedOcclusion(const Mesh& mesh, const Say& say) {
-    const CacheKey key = CacheKey(kOcclusionVersion).add(mesh.positions).add(mesh.normals).add(mesh.uvs).add(mesh.indices);
+    const CacheKey key =
+        CacheKey(fmt::format("occlusion {}", kOcclusionVersion)).add(mesh.positions).add(mesh.normals).add(mesh.uvs).add(mesh.indices);
     const auto make = [&](const fs::path& file) -> Result<void> {
         const auto occlusion = bakeOcclusion(mesh);
         if (!occlusion) return occlusion.error();
@@ -84,7 +85,7 @@ Result<DdsTexture> drawMap(const std::string& generator) {
 Result<RootOptions> hairOptions(const Mesh& mesh) {
     auto hair = hairOfHead(mesh);
     if (!hair)
-        return inputError(4054, {.file = mesh.name, .byte = {}}, "no hair is known for this mesh: it has no part 'eyes' to measure from",
+        return inputError(4054, {.file = mesh.name}, "no hair is known for this mesh: it has no part 'eyes' to measure from",
                           "take the default head, or give roots: tegument fur roots MESH --density-map MAP -o FILE.dds");
     constexpr std::size_t kLocks = 150'000; // if all of the head were scalp; about a third of them is left
     return RootOptions{
@@ -108,7 +109,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
     if (generator == kOcclusionGenerator) return cachedOcclusion(mesh, say);
     const bool roots = growsRoots(generator);
     if (roots && hasRibbons(mesh))
-        return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
+        return inputError(4061, {.file = mesh.name}, "the mesh has strands, and nothing names the roots that they stand on",
                           "tegument fur strands has written them beside the mesh: give that file");
     if (!roots && generator != kCubeMap && generator != kSphereMap)
         return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
@@ -118,7 +119,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
     std::string name = fmt::format("{}_{}", generator == kCubeMap ? "cube" : "sphere", kVersion);
     if (roots)
         name = (generator == kHairGenerator ? "hair_" : "roots_") +
-               CacheKey(kVersion).add(mesh.positions).add(mesh.normals).add(mesh.indices).text();
+               CacheKey(fmt::format("roots {}", kVersion)).add(mesh.positions).add(mesh.normals).add(mesh.indices).text();
     const auto write = [&](const fs::path& file) -> Result<void> {
         const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
         if (!texture) return texture.error();
@@ -134,15 +135,13 @@ Result<void> check(const std::string& generator, const fs::path& file, const Mes
     const auto texture = loadDds(file);
     if (!texture || texture->isCube()) return {};
     if (const auto other = hasRibbons(mesh) ? whyNotItsRoots(mesh, texture->at(0, 0)) : std::nullopt)
-        return inputError(4061, {.file = file.string(), .byte = {}},
-                          fmt::format("the strands of {} were made from other roots: {}", mesh.name, *other),
+        return inputError(4061, {.file = file.string()}, fmt::format("the strands of {} were made from other roots: {}", mesh.name, *other),
                           "give the roots that they were made from, or make both again: tegument fur strands MESH");
     const auto figures = figuresIn(texture->at(0, 0));
     if (!figures) return {};
     const auto why = whyNotSame(*figures, surfaceFigures(mesh));
     if (!why) return {};
-    return inputError(4055, {.file = file.string(), .byte = {}},
-                      fmt::format("these roots were made for another mesh than {}: {}", mesh.name, *why),
+    return inputError(4055, {.file = file.string()}, fmt::format("these roots were made for another mesh than {}: {}", mesh.name, *why),
                       "leave them out, and they are made; or: tegument fur roots MESH -o FILE.dds");
 }
 
@@ -151,6 +150,17 @@ bool named(const std::map<std::string, std::string>& textures, const std::string
 }
 
 } // namespace
+
+Result<fs::path> cachedDds(const std::string& folder, const std::string& name, const std::string& what, const Say& say,
+                           const std::function<Result<void>(const fs::path&)>& make) {
+    const fs::path file = cacheFolder() / folder / "made" / (name + ".dds");
+    if (isWholeDds(file)) return file;
+    const auto start = std::chrono::steady_clock::now();
+    if (const auto made = make(file); !made) return made.error();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (say) say(fmt::format("made {} in {:.1f} s: {}", what, seconds, file.string()));
+    return file;
+}
 
 MeshAssets meshAssets(Say say) {
     const auto strands = std::make_shared<StrandPasses>();

@@ -204,7 +204,7 @@ Result<void> applyPreset(const std::string& name, const Effect& effect, RunOptio
 
 Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const Workspace& workspace) {
     const std::vector<Given> given = givenBy(workspace);
-    const SourcePosition at{.file = workspace.file.string(), .byte = {}};
+    const SourcePosition at{.file = workspace.file.string()};
     for (const Given& one : given)
         for (const auto& [name, numbers] : *one.parameters)
             if (const Parameter* parameter = effect.findParameter(name))
@@ -214,12 +214,8 @@ Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const
     std::vector<Diagnostic> warnings;
     for (const std::string& name : unknown) {
         const std::string near = didYouMean(name, parameterNames(effect));
-        warnings.push_back({.severity = Severity::Warning,
-                            .code = 8018,
-                            .at = at,
-                            .text = fmt::format("no effect has a parameter '{}': it is passed over", name),
-                            .hint = near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near,
-                            .sourceLine = {}});
+        warnings.push_back(inputWarning(8018, at, fmt::format("no effect has a parameter '{}': it is passed over", name),
+                                        near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near));
     }
     return warnings;
 }

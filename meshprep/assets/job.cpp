@@ -34,6 +34,26 @@ bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshF
 
 } // namespace
 
+LoadOptions loadOptions(const EffectOptions& options) {
+    LoadOptions load;
+    for (const std::string& define : options.defines) {
+        const std::size_t equals = define.find('=');
+        if (equals == std::string::npos) {
+            load.defines.emplace_back(define, "1");
+        } else {
+            load.defines.emplace_back(define.substr(0, equals), define.substr(equals + 1));
+        }
+    }
+    load.lenient = true;
+    load.setting = options.setting;
+    load.roots.anywhere = options.anywhere;
+    if (options.mapSize > 0) load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
+    if (options.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(options.shadowSize));
+    for (const std::string& folder : options.includeFolders)
+        load.includeFolders.emplace_back(folder);
+    return load;
+}
+
 Result<std::map<std::string, std::string>> bindRules(const std::vector<std::string>& given) {
     std::map<std::string, std::string> rules;
     for (const std::string& text : given) {
@@ -104,7 +124,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     if (!rules) return rules.error();
     Adoption foreign =
         adopted(std::move(*effect), {.bind = *rules, .technique = options.technique, .width = size->first, .height = size->second});
-    Job job{.effect = std::move(foreign.effect), .scene = {}, .run = {}};
+    Job job{.effect = std::move(foreign.effect)};
     job.bindings = std::move(foreign.bindings);
     job.run.technique = options.technique;
     job.run.width = size->first;

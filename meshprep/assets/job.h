@@ -3,7 +3,6 @@
 // effects need beside (fur maps, roots, strands, links, environment maps) is made, and cached in the cache folder.
 
 #include "host/adopt/adopt.h"
-#include "meshprep/assets/effect_options.h"
 #include "meshprep/assets/generators.h"
 #include "meshprep/assets/scene.h"
 
@@ -13,6 +12,19 @@
 #include <vector>
 
 namespace tegument::assets {
+
+/// How an effect is to be loaded, as a command line or a script says it.
+struct EffectOptions {
+    std::vector<std::string> defines; // NAME or NAME=VALUE
+    std::vector<std::string> includeFolders;
+    bool anywhere = false;
+    std::string setting; // one of the effect's own; empty: its default
+    int mapSize = 0;     // 0: the effect's default
+    int shadowSize = 0;  // likewise
+};
+
+/// Defines in the order given; --map-size becomes TEGUMENT_MAP_SIZE, --shadow-size TEGUMENT_SHADOW_SIZE.
+[[nodiscard]] LoadOptions loadOptions(const EffectOptions& options);
 
 struct JobOptions {
     std::string file;

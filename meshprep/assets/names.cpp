@@ -1,7 +1,7 @@
 #include "meshprep/assets/names.h"
 
 #include "host/mesh/read_mesh.h"
-#include "host/support/process.h"
+#include "host/support/file.h"
 #include "host/support/system.h"
 #include "host/support/text.h"
 #include "meshprep/assets/picture.h"

@@ -14,7 +14,7 @@ namespace {
 /// Three channels from 0 to 1: the alpha of effects of other hosts is not meant for looking through.
 Image opaque(const Image& image) {
     if (image.channels < 3) return image;
-    Image result{.width = image.width, .height = image.height, .channels = 3, .pixels = {}};
+    Image result{.width = image.width, .height = image.height, .channels = 3};
     result.metadata = image.metadata;
     for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))
         for (std::size_t c = 0; c < 3; ++c)

@@ -245,7 +245,7 @@ WorkspaceOptions workspaceOptions(bool requireMesh) {
 Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     auto workspace = chooseWorkspace(options, needsMesh);
     if (!workspace) return workspace.error();
-    Scene scene{.workspace = std::move(*workspace), .meshes = {}, .objects = {}, .isOwn = !options.mesh.empty()};
+    Scene scene{.workspace = std::move(*workspace), .isOwn = !options.mesh.empty()};
     if (!needsMesh) return scene;
     if (!scene.workspace.objects.empty()) {
         if (!options.mesh.empty() || options.unitMm || !options.pose.empty())
@@ -277,7 +277,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
 
 SessionScene sessionScene(const Scene& scene) {
     if (!scene.objects.empty()) return {.mesh = nullptr, .objects = scene.objects};
-    return {.mesh = scene.meshes.empty() ? nullptr : &scene.meshes.front(), .objects = {}};
+    return {.mesh = scene.meshes.empty() ? nullptr : &scene.meshes.front()};
 }
 
 Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options) {

@@ -187,7 +187,7 @@ Result<std::shared_ptr<const DrawList>> StrandPasses::list(const PassRequest& re
     if (!strands || request.instances == 0) {
         const auto ranges = run::partOf(request.effect, request.pass, request.mesh, seen);
         if (!ranges) return ranges.error();
-        return List(std::make_shared<DrawList>(DrawList{.indices = {}, .ranges = *ranges}));
+        return List(std::make_shared<DrawList>(DrawList{.ranges = *ranges}));
     }
     const StrandShare asked = share->value_or(StrandShare{.count = request.instances});
     const Key key{.indices = request.mesh.indices.data(),
@@ -202,10 +202,10 @@ Result<std::shared_ptr<const DrawList>> StrandPasses::list(const PassRequest& re
     if (found != made_.end() && !found->whole) return found->list.lock();
     auto listed = found != made_.end() ? std::nullopt : listStrands(request.mesh, *strands, seen, request.eye, asked);
     if (!listed) { // all of the part, without clusters that cannot be seen
-        if (found == made_.end()) made_.push_back({.key = key, .whole = true, .list = {}});
+        if (found == made_.end()) made_.push_back({.key = key, .whole = true});
         const auto ranges = run::partOf(request.effect, request.pass, request.mesh, seen);
         if (!ranges) return ranges.error();
-        return List(std::make_shared<DrawList>(DrawList{.indices = {}, .ranges = *ranges}));
+        return List(std::make_shared<DrawList>(DrawList{.ranges = *ranges}));
     }
     const List list = std::make_shared<DrawList>(*std::move(listed));
     made_.push_back({.key = key, .whole = false, .list = list});

@@ -2,7 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/run/parts.h"
-#include "host/support/file.h"
+#include "host/support/cache.h"
 #include "meshprep/fur/ribbons/pose.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/fur/roots/head_hair.h"
@@ -30,7 +30,7 @@ Result<Image> loadRootTexture(const std::string& file) {
 }
 
 Error ofAnotherMesh(const std::string& file, const Mesh& mesh, const std::string& why) {
-    return inputError(4055, {.file = file, .byte = {}}, fmt::format("these roots were made for another mesh than {}: {}", mesh.name, why),
+    return inputError(4055, {.file = file}, fmt::format("these roots were made for another mesh than {}: {}", mesh.name, why),
                       "leave them out, and they are made; or: tegument fur roots MESH -o FILE.dds");
 }
 
@@ -77,7 +77,7 @@ void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, con
 
 /// Into the cache: a texture has a name.
 Result<void> givePose(const char* parameter, Image image, Scene& scene) {
-    const std::string name = "pose_" + CacheKey(1).add(image.pixels).text();
+    const std::string name = "pose_" + CacheKey("pose 1").add(image.pixels).text();
     const auto file = cachedDds("fur", name, {}, {}, [&](const fs::path& made) {
         return writeDds(made, {.format = DdsFormat::Rgba32F, .images = {std::move(image)}});
     });
@@ -134,7 +134,7 @@ Result<Mesh> readPose(const std::string& file, const Mesh& rest, MeshOptions loa
         position += glm::vec3(posed->origin - rest.origin);
     computeBounds(*posed);
     if (sameTriangles(rest, *posed)) return posed;
-    return inputError(8048, {.file = file, .byte = {}},
+    return inputError(8048, {.file = file},
                       fmt::format("this is no pose of {}: {} vertices and {} triangles, or in another order than its {} and {}", rest.name,
                                   posed->positions.size(), posed->indices.size() / 3, rest.positions.size(), rest.indices.size() / 3),
                       "move the vertices of that file, and neither add nor merge any");

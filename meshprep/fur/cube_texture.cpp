@@ -66,7 +66,7 @@ void joinFaces(const Level& level) {
 } // namespace
 
 DdsTexture cubeTexture(const std::array<Image, 6>& faces, DdsFormat format) {
-    DdsTexture cube{.format = format, .faces = 6, .mips = 1, .images = {}};
+    DdsTexture cube{.format = format, .faces = 6, .mips = 1};
     for (const Image& face : faces) {
         DdsTexture one = makeDds(face, format, true);
         cube.mips = one.mips;

@@ -12,7 +12,7 @@ namespace tegument {
 namespace {
 
 Image emptyMap(int width, int height) {
-    Image map{.width = width, .height = height, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image map{.width = width, .height = height, .channels = 4, .bitsPerChannel = 8};
     map.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     for (std::size_t i = 0; i < map.pixels.size(); ++i)
         map.pixels[i] = i % 4 == 3 ? 0.0F : 1.0F;

@@ -40,7 +40,7 @@ Result<void> checkOptions(const FurOptions& options, double texels) {
 
 template <class Space>
 StrandSet throwDarts(const Space& space, double spacing, std::size_t wanted, const FurOptions& options) {
-    StrandSet set{.strands = {}, .wanted = wanted};
+    StrandSet set{.wanted = wanted};
     set.strands.reserve(wanted);
     RootGrid<Space> grid(space, spacing, wanted);
     for (std::size_t candidate = 0; candidate < wanted * kTriesPerStrand && set.strands.size() < wanted; ++candidate) {

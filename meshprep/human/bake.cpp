@@ -19,8 +19,7 @@ public:
 
     Image bake(int channels, const TexelFunction& texel) {
         const int size = owners_.size();
-        Image image{.width = size, .height = size, .channels = channels, .pixels = {}};
-        image.pixels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * static_cast<std::size_t>(channels));
+        Image image = plainImage(size, size, channels);
         forEachInParallel(static_cast<std::size_t>(size), [&](std::size_t row) { bakeRow(static_cast<int>(row), image, texel); });
         owners_.spread(image.pixels, static_cast<std::size_t>(channels));
         return image;

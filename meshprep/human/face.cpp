@@ -22,7 +22,7 @@ float bell(const glm::vec2& offset, const glm::vec2& widths) {
 Result<Image> loadMask(const std::filesystem::path& path) {
     Result<Image> file = loadImage(path);
     if (!file) return file;
-    Image mask{.width = file->width, .height = file->height, .channels = 1, .pixels = {}};
+    Image mask{.width = file->width, .height = file->height, .channels = 1};
     for (std::size_t i = 0; i < file->pixels.size(); i += static_cast<std::size_t>(file->channels))
         mask.pixels.push_back(file->pixels[i]);
     soften(mask, 2);

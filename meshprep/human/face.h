@@ -55,7 +55,6 @@ public:
     [[nodiscard]] const Eyeball& eyeAt(const glm::vec3& position) const { return eyes_[position.x >= 0 ? 0 : 1]; }
     [[nodiscard]] const EyeOpening& openingAt(const glm::vec3& position) const { return openings_[position.x >= 0 ? 0 : 1]; }
     [[nodiscard]] const std::array<EyeOpening, 2>& openings() const { return openings_; }
-    [[nodiscard]] const glm::vec3& noseTip() const { return noseTip_; }
 
 private:
     std::array<Eyeball, 2> eyes_;

@@ -57,7 +57,7 @@ std::vector<std::uint8_t> hiddenCoarseQuads(const Bust& bust, const Subdivided& 
 /// Two triangles for each quad that stays.
 TriangleSurface keptTriangles(const Bust& bust, const Subdivided& fine, const std::vector<std::uint8_t>& hidden) {
     constexpr std::array<std::array<std::size_t, 3>, 2> kHalves = {{{0, 1, 2}, {0, 2, 3}}};
-    TriangleSurface surface{.positions = fine.positions, .normals = fine.normals, .uvs = fine.uvs, .triangles = {}};
+    TriangleSurface surface{.positions = fine.positions, .normals = fine.normals, .uvs = fine.uvs};
     for (std::size_t q = 0; q < fine.quads.size(); ++q) {
         const std::uint32_t parent = fine.parents[q];
         if (bust.support[parent] != 0 || hidden[parent] != 0) continue;

@@ -2,6 +2,7 @@
 
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "host/support/kept_inputs.h"
 #include "meshprep/human/bake.h"
@@ -66,7 +67,7 @@ Image bakeKernelSize(const HeadSurface& head, int size, const Face& face, const 
 }
 
 /// Counts the changes to this folder's code that change what is made: a head of another version is made anew.
-constexpr int kHumanVersion = 3;
+constexpr const char* kHumanVersion = "human 3";
 constexpr float kFileUnitMm = 100;    // MakeHuman counts in decimetres
 constexpr int kNeckRings = 8;         // all of the level cut lies above the eighth
 constexpr float kNeckFromMm = 18;     // under the chin: there the neck is narrowest
@@ -125,16 +126,17 @@ private:
 
     /// Everything that the result depends on.
     [[nodiscard]] Result<std::string> humanKey() const {
-        std::string all = fmt::format("version {} maps {} {} {} levels {} seed {}\n", kHumanVersion, options_.colorMapSize,
-                                      options_.normalMapSize, options_.kernelMapSize, options_.subdivisionLevels, options_.seed);
+        CacheKey key(kHumanVersion);
+        key.add(options_.colorMapSize).add(options_.normalMapSize).add(options_.kernelMapSize);
+        key.add(options_.subdivisionLevels).add(options_.seed);
         std::vector<fs::path> sources = regionMaskFiles(options_.source / "textures");
         sources.insert(sources.begin(), bodyFile());
         for (const fs::path& file : sources) {
             const Result<std::string> bytes = readFile(file);
             if (!bytes) return bytes.error();
-            all += fmt::format("{} {}\n", file.filename().string(), contentHash(*bytes));
+            key.add(file.filename().string()).add(*bytes);
         }
-        return contentHash(all) + "\n";
+        return key.text() + "\n";
     }
 
     [[nodiscard]] bool isCurrent() const {

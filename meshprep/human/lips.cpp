@@ -78,7 +78,7 @@ LipSides findSides(const std::vector<glm::vec3>& positions, const std::vector<Qu
     for (std::size_t q = 0; q < quads.size(); ++q)
         if (kinds[q] != 0) around.push_back(quads[q]);
     EdgeWays ways = waysAlongEdges(positions, around, sources, kLipReach);
-    LipSides sides{.distance = std::move(ways.length), .side = {}};
+    LipSides sides{.distance = std::move(ways.length)};
     for (std::size_t v = 0; v < positions.size(); ++v)
         sides.side.push_back(sides.distance[v] < kLipReach ? rimSide[ways.source[v]] : 0);
     return sides;

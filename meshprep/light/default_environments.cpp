@@ -73,8 +73,7 @@ glm::dvec3 sky(const glm::dvec3& d) {
 } // namespace
 
 Image defaultEnvironment(DefaultEnvironment which) {
-    Image image{.width = 2 * kPanoramaHeight, .height = kPanoramaHeight, .channels = 3, .pixels = {}};
-    image.pixels.resize(static_cast<std::size_t>(image.width) * kPanoramaHeight * 3);
+    Image image = plainImage(2 * kPanoramaHeight, kPanoramaHeight, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const glm::dvec3 d = panoramaDirection((x + 0.5) / image.width, (y + 0.5) / image.height);

@@ -297,13 +297,13 @@ glm::dvec3 environmentDirection(int face, int x, int y, int side) {
 
 Result<DdsTexture> makeEnvironment(const Image& panorama, const std::string& nameForMessages) {
     if (panorama.width != 2 * panorama.height || panorama.channels < 3)
-        return inputError(7060, {.file = nameForMessages, .byte = {}},
+        return inputError(7060, {.file = nameForMessages},
                           fmt::format("the picture is {} x {} with {} channels", panorama.width, panorama.height, panorama.channels),
                           "surroundings are an equirectangular picture in colour, twice as wide as high");
     SharpLevel sharp(kEnvironmentSide);
     eachSample(panorama, [&](const glm::dvec3& d, double angle, const glm::dvec3& radiance) { sharp.add(d, angle, radiance); });
     const EnvironmentLight light(panorama);
-    DdsTexture texture{.format = DdsFormat::Rgba16F, .faces = 6, .mips = 0, .images = {}};
+    DdsTexture texture{.format = DdsFormat::Rgba16F, .faces = 6, .mips = 0};
     std::vector<std::array<Image, 6>> levels;
     for (int side = kEnvironmentSide; side > 0; side /= 2) {
         const int level = texture.mips++;

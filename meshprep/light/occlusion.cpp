@@ -95,7 +95,7 @@ private:
 Result<Occlusion> bakeOcclusion(const Mesh& mesh, const OcclusionOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const Error none =
-        inputError(7061, {.file = mesh.name, .byte = {}}, "occlusion is baked into a map, and no texture coordinate is in the unit square",
+        inputError(7061, {.file = mesh.name}, "occlusion is baked into a map, and no texture coordinate is in the unit square",
                    "make coordinates: tegument prep MESH --unwrap -o NEW.glb");
     if (mesh.uvs.size() != mesh.positions.size()) return none;
     const TexelOwners owners(mesh.uvs, mesh.indices, options.side);

@@ -85,7 +85,7 @@ void flip(Mesh& mesh) {
 
 Error uncertain(const Mesh& mesh, const HeadPose& pose) {
     return inputError(
-        5336, {.file = mesh.name, .byte = {}},
+        5336, {.file = mesh.name},
         fmt::format("the shape does not say where the face is: it is most like one with {} up and {} in front ({:.0f} %), and "
                     "nearly as like seen another way ({:.0f} %)",
                     axisName(pose.up), axisName(pose.front), 100 * std::max(0.0, pose.likeness), 100 * std::max(0.0, pose.runnerUp)),
@@ -164,7 +164,7 @@ std::optional<bool> isFlipped(const Mesh& mesh, const HeadPose& pose, const Imag
 Result<LaidHead> layHead(Mesh& mesh, const PortraitHints& hints) {
     const auto guessed = guessHeadPose(mesh.positions, mesh.indices, {.up = hints.up, .front = hints.front});
     if (!guessed)
-        return inputError(5336, {.file = mesh.name, .byte = {}}, "no face is found between this --up and this --front",
+        return inputError(5336, {.file = mesh.name}, "no face is found between this --up and this --front",
                           "they are two different axes of the file, such as --up=y --front=z");
     HeadPose pose = *guessed;
     const bool told = hints.up && hints.front;

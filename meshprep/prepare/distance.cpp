@@ -236,7 +236,7 @@ private:
     [[nodiscard]] Peak middleOf(std::uint32_t triangle, double enough) const {
         const Triangle t = own_.triangle(triangle);
         std::uint32_t hint = places_[own_.corners()[3 * std::size_t{triangle}]].hint;
-        Peak peak{.apart = 0, .number = triangle, .at = {}, .nearest = 0};
+        Peak peak{.apart = 0, .number = triangle, .nearest = 0};
         for (const glm::dvec3& point : {(t[0] + t[1]) / 2.0, (t[1] + t[2]) / 2.0, (t[2] + t[0]) / 2.0, centroid(t)}) {
             const Nearest near = other_.nearest(point, hint, enough);
             if (!std::isfinite(near.distance)) break;
@@ -497,7 +497,7 @@ double DistanceFrom::reached(std::span<const std::uint32_t> triangles, double en
 }
 
 RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, std::size_t most, double enough, TooFar tooFar) const {
-    if (!state_->surface || triangles.empty()) return {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}};
+    if (!state_->surface || triangles.empty()) return {.greatest = std::numeric_limits<double>::infinity()};
     const Surface other(state_->points, triangles);
     OneWay there(*state_->surface, other);
     const OneWay back(other, *state_->surface);
@@ -506,7 +506,7 @@ RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, st
     double reached = there.measureCorners(0, tooFar == TooFar::HasPeaks ? kFar : far);
     std::vector<OneWay::Peak> peaks, bridges;
     if (reached <= far) {
-        if (there.dear() || back.dear()) return {.greatest = state_->scale * there.corners(), .peaks = {}, .bridges = {}};
+        if (there.dear() || back.dear()) return {.greatest = state_->scale * there.corners()};
         reached = back.measureMiddles(reached, bridges);
     }
     if (reached <= far) {
@@ -520,7 +520,7 @@ RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, st
         }
     }
     there.addPeaks(reached, peaks);
-    RoughDistance rough{.greatest = state_->scale * reached, .peaks = {}, .bridges = {}};
+    RoughDistance rough{.greatest = state_->scale * reached};
     for (const OneWay::Peak& peak : summits(std::move(peaks), reached, most))
         rough.peaks.push_back(peak.number);
     for (const OneWay::Peak& peak : summits(std::move(bridges), reached, most))

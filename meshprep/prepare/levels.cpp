@@ -224,7 +224,7 @@ private:
     std::size_t tries_; // that are left
     std::size_t mostPeaks_;
     std::vector<Simplifier> promising_; // the one that came nearest first
-    Made best_{.level = {}, .apart = {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}}, .simplifier = {}};
+    Made best_{.apart = {.greatest = std::numeric_limits<double>::infinity()}};
 };
 
 /// The first is likely to be the nearest, and the last the least likely.

@@ -154,7 +154,7 @@ public:
     }
 
     MappingFigures examine(std::string name, const Mapping& mapping, bool coordinates) const {
-        MappingFigures figures{.name = std::move(name), .seamJumpTexels = {}};
+        MappingFigures figures{.name = std::move(name)};
         std::vector<Flat> flat;
         std::vector<double> density;
         std::vector<double> anisotropy;

@@ -33,7 +33,7 @@ public:
         if (auto error = readFile()) return *error;
         clean();
         if (surface_.mesh.indices.empty() && report_.input.faces > 0)
-            return inputError(7020, {.file = path_.string(), .byte = {}}, "no triangle is left", whereTheyWent());
+            return inputError(7020, {.file = path_.string()}, "no triangle is left", whereTheyWent());
         if (auto error = shape()) return *error;
         if (auto error = putInOrder()) return *error;
         if (auto error = pack()) return *error;
@@ -69,8 +69,7 @@ private:
         report_.triangles = surface_.triangles();
         report_.warnings = surface_.mesh.warnings;
         if (counts.faces == 0)
-            return inputError(7021, {.file = path_.string(), .byte = {}}, fmt::format("{} vertices and no faces", counts.vertices),
-                              whyNoFaces(counts));
+            return inputError(7021, {.file = path_.string()}, fmt::format("{} vertices and no faces", counts.vertices), whyNoFaces(counts));
         reach_ = greatestCoordinate();
         end("read", counts.faces, fmt::format("{} vertices, {} faces", counts.vertices, counts.faces));
         if (options_.turnUp) {
@@ -208,7 +207,7 @@ private:
     [[nodiscard]] Error withoutArea() const {
         const auto reach = static_cast<float>(greatestCoordinate());
         const bool never = report_.topology.flatTriangles == surface_.triangles();
-        return inputError(7020, {.file = path_.string(), .byte = {}}, "no triangle has an area",
+        return inputError(7020, {.file = path_.string()}, "no triangle has an area",
                           never ? "the corners of each lie on one line"
                                 : fmt::format("what is {} mm from the middle is told apart in steps of {:.1g} mm: leave out what lies far "
                                               "from the rest",
@@ -296,7 +295,7 @@ private:
         const Mesh& mesh = surface_.mesh;
         if (report_.cache.empty())
             for (const NamedModel& model : kReportedModels)
-                report_.cache.push_back({.model = model, .before = {}, .after = {}});
+                report_.cache.push_back({.model = model});
         forEachInParallel(report_.cache.size(), [&](std::size_t i) {
             order::CacheCost& sum = report_.cache[i].*figure;
             LocalVertices local(mesh.parts.size() > 1 ? mesh.positions.size() : 0);
@@ -393,7 +392,7 @@ private:
                             error->normalDegrees, error->uv));
             if (!hasArea(mesh))
                 return inputError(
-                    7020, {.file = path_.string(), .byte = {}}, "no triangle has an area",
+                    7020, {.file = path_.string()}, "no triangle has an area",
                     fmt::format("positions are up to {:.3g} mm off with so few bits: --vertex float keeps them", error->positionMm));
             glb_.format = options_.precision == VertexPrecision::Unorm16 ? VertexFormat::Unorm16 : VertexFormat::Float;
         }
@@ -427,12 +426,7 @@ private:
     }
 
     void warn(int code, std::string text, std::string hint = {}) {
-        report_.warnings.push_back({.severity = Severity::Warning,
-                                    .code = code,
-                                    .at = {.file = path_.string(), .byte = {}},
-                                    .text = std::move(text),
-                                    .hint = std::move(hint),
-                                    .sourceLine = {}});
+        report_.warnings.push_back(inputWarning(code, {.file = path_.string()}, std::move(text), std::move(hint)));
     }
 
     void cutUp() {

@@ -90,7 +90,7 @@ Result<VertexError> reducePrecision(Mesh& mesh, VertexPrecision precision) {
     if (precision == VertexPrecision::Half) {
         for (const glm::vec3& p : mesh.positions)
             if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kMostHalf)
-                return inputError(7026, {.byte = {}}, fmt::format("a coordinate of {:g} mm does not fit into a half float", p.x),
+                return inputError(7026, {}, fmt::format("a coordinate of {:g} mm does not fit into a half float", p.x),
                                   "use --vertex unorm16, or a smaller --unit-mm");
         const auto reduce = [](const glm::vec3& p) { return glm::vec3(half(p.x), half(p.y), half(p.z)); };
         reducePositions(mesh, error, reduce);

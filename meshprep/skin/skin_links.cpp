@@ -661,15 +661,12 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
     const Lists quarters = gatherQuarters(mesh, cells, gatherer, options, wide, most);
     links.seconds.links = watch.lap();
     if (wide.from() > kWideFrom)
-        links.warnings.push_back(
-            {.severity = Severity::Warning,
-             .code = 7045,
-             .at = {.file = mesh.name, .byte = {}},
-             .text =
-                 fmt::format("the texture is of so many scattered charts that texels of {:.2g} to {:.2g} mm bring less exact light through "
-                             "thin skin",
-                             kWideFrom, wide.from()),
-             .hint = "tegument prep MESH --unwrap -o NEW.glb makes fewer, larger charts"});
+        links.warnings.push_back(inputWarning(
+            7045, {.file = mesh.name, .byte = {}},
+            fmt::format(
+                "the texture is of so many scattered charts that texels of {:.2g} to {:.2g} mm bring less exact light through thin skin",
+                kWideFrom, wide.from()),
+            "tegument prep MESH --unwrap -o NEW.glb makes fewer, larger charts"));
     links.fourth = gatherer.bringsFourth();
     links.sideMm = static_cast<double>(cells.usualSide(kDestinationLevel));
     draw(lists, quarters, wide, links);

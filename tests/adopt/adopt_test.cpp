@@ -30,13 +30,7 @@ std::vector<fs::path> effects() {
 
 Result<Shader> compiled(const Effect& effect, const ShaderReference& shader, ShaderStage stage) {
     if (shader.obstacle) return Error{Blame::Input, {*shader.obstacle}};
-    return compileShader({.code = shader.code,
-                          .file = effect.file.string(),
-                          .entry = shader.entry,
-                          .stage = stage,
-                          .defines = {},
-                          .includeFolders = {},
-                          .language2018 = true},
+    return compileShader({.code = shader.code, .file = effect.file.string(), .entry = shader.entry, .stage = stage, .language2018 = true},
                          Compiler::Dxc);
 }
 

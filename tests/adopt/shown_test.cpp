@@ -190,7 +190,7 @@ TEST(FilledTextures, keep_a_stand_in_where_the_function_is_not_there) {
 
 TEST(Kernels, in_pixels_become_those_in_texels) {
     const Effect effect = adopted(foreign("float2 k[2] = { { -2, 1 }, { 4, 0 } };\nfloat2 t[2] < string ConvertPixelsToTexels = \"k\"; >;"),
-                                  {.bind = {}, .technique = {}, .width = 8, .height = 4})
+                                  {.width = 8, .height = 4})
                               .effect;
     EXPECT_EQ(std::get<std::vector<double>>(*effect.findParameter("t")->defaultValue), (std::vector<double>{-0.25, 0.25, 0.5, 0}));
 }

@@ -78,7 +78,7 @@ class EveryEffect : public testing::TestWithParam<fs::path> {};
 INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(effectFiles()), effectName);
 
 TEST_P(EveryEffect, compiles_to_spirv_by_both_compilers_which_see_the_same_parameters_in_every_setting) {
-    const CheckReport report = checkEffects({GetParam()}, spirvTargets(), {.includeFolders = {}, .allSettings = true});
+    const CheckReport report = checkEffects({GetParam()}, spirvTargets(), {.allSettings = true});
     EXPECT_EQ(report.files.size(), 3U);
     for (const FileReport& file : report.files)
         for (const TargetCheck& target : file.targets)
@@ -87,7 +87,7 @@ TEST_P(EveryEffect, compiles_to_spirv_by_both_compilers_which_see_the_same_param
 
 TEST_P(EveryEffect, compiles_for_direct3d_12_in_every_setting) {
     if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
-    for (const FileReport& file : checkEffects({GetParam()}, {Target::Dxil}, {.includeFolders = {}, .allSettings = true}).files)
+    for (const FileReport& file : checkEffects({GetParam()}, {Target::Dxil}, {.allSettings = true}).files)
         EXPECT_EQ(file.targets.at(0).verdict, Verdict::Passed) << describe(file);
 }
 
@@ -190,8 +190,7 @@ TEST_F(Check, a_missing_microsoft_compiler_is_not_checked_and_never_passed) {
 
 TEST(CheckReport, fails_with_one_target_and_is_incomplete_with_one_unchecked) {
     CheckReport report;
-    report.files.push_back(
-        {.file = "a.fx", .diagnostics = {}, .targets = {{.target = Target::Fx2, .verdict = Verdict::Passed}}, .sm3 = {}});
+    report.files.push_back({.file = "a.fx", .targets = {{.target = Target::Fx2, .verdict = Verdict::Passed}}});
     EXPECT_FALSE(report.failed());
     report.files[0].targets.push_back({.target = Target::Sm5, .verdict = Verdict::NotApplicable});
     EXPECT_FALSE(report.failed());

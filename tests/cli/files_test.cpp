@@ -123,8 +123,7 @@ TEST(SceneFiles, a_mesh_for_fur_need_not_be_as_large_as_a_head) {
 // ---- Sheets
 
 std::string grey(const std::string& name, float value, int side = 100) {
-    Image image{.width = side, .height = side, .channels = 3, .pixels = {}};
-    image.pixels.assign(static_cast<std::size_t>(side * side * 3), value);
+    Image image = plainImage(side, side, 3, value);
     image.metadata["attribution"] = name;
     const std::string path = (scratch() / (name + ".png")).string();
     EXPECT_TRUE(writePng(path, image, PngEncoding::Raw));

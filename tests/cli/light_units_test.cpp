@@ -28,7 +28,7 @@ std::string planeObj() {
 
 /// Lit head-on from `distance` mm by a light of colour (0.7, 0.5, 0.3).
 std::string planeWorkspace(double distance) {
-    const Image white{.width = 4, .height = 4, .channels = 3, .pixels = std::vector<float>(48, 1.0F), .metadata = {}};
+    const Image white{.width = 4, .height = 4, .channels = 3, .pixels = std::vector<float>(48, 1.0F)};
     EXPECT_TRUE(writePng(scratch() / "white.png", white, ::tegument::PngEncoding::Raw));
     return write(fmt::format("plane-{:g}.json", distance),
                  fmt::format(R"({{"mesh": "{}", "unit_mm": 1, "head": false, "textures": {{"DIFFUSE": "white.png"}},

@@ -31,7 +31,7 @@ struct Drawn {
 Drawn draw(const std::string& name, std::vector<std::string> arguments, const std::map<std::string, std::string>& environment = {}) {
     const fs::path path = scratch() / (name + ".exr");
     arguments.insert(arguments.begin(), {"render", "--size", "160x160", "--map-size", "128", "-o", path.string()});
-    Drawn drawn{.ran = tegument::test::tegument(arguments, environment), .image = {}};
+    Drawn drawn{.ran = tegument::test::tegument(arguments, environment)};
     if (drawn.ran.code != 0) return drawn;
     if (auto image = tegument::loadImage(path)) drawn.image = std::move(*image);
     return drawn;
@@ -97,8 +97,8 @@ double different(const Image& a, const Image& b) {
 /// A texture of one texel without strands.
 std::string baldMap() {
     const fs::path path = scratch() / "bald.dds";
-    tegument::DdsTexture cube{.format = tegument::DdsFormat::Rgba8, .faces = 6, .mips = 1, .images = {}};
-    cube.images.assign(6, Image{.width = 1, .height = 1, .channels = 4, .pixels = {1, 1, 1, 0}, .metadata = {}});
+    tegument::DdsTexture cube{.format = tegument::DdsFormat::Rgba8, .faces = 6, .mips = 1};
+    cube.images.assign(6, Image{.width = 1, .height = 1, .channels = 4, .pixels = {1, 1, 1, 0}});
     EXPECT_TRUE(tegument::writeDds(path, cube));
     return path.string();
 }

@@ -24,7 +24,7 @@ inline Picture render(const std::string& name, const std::vector<std::string>& a
     all.insert(all.end(), arguments.begin(), arguments.end());
     const Ran ran = tegument(all);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    Picture picture{.image = {}, .report = ran.json()};
+    Picture picture{.report = ran.json()};
     if (ran.code != 0) return picture;
     EXPECT_TRUE(picture.report["validation_messages"].empty()) << picture.report["validation_messages"];
     auto image = loadImage(path);

@@ -139,7 +139,7 @@ const std::string& ballMesh() {
 
 const std::string& ballWorkspace() {
     static const std::string kPath = [] {
-        Image grey{.width = 64, .height = 64, .channels = 3, .pixels = std::vector<float>(64 * 64 * 3, 0.5F), .metadata = {}};
+        Image grey{.width = 64, .height = 64, .channels = 3, .pixels = std::vector<float>(64 * 64 * 3, 0.5F)};
         for (std::size_t i = 0; i < grey.pixels.size(); ++i)
             grey.pixels[i] += 0.2F * std::sin(static_cast<float>(i));
         EXPECT_TRUE(writePng(scratch() / "grey.png", grey, PngEncoding::Raw));

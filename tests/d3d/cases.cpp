@@ -71,26 +71,22 @@ bool computes(const Technique& technique) {
 std::vector<Case> discover() {
     std::vector<Case> cases;
     for (const fs::path& file : effectsIn("effects")) {
-        const auto effect = loadCase({.effect = file, .technique = {}});
+        const auto effect = loadCase({.effect = file});
         if (!effect) continue; // tests/effect and tests/check say why
         for (const Technique& technique : effect->techniques)
             for (const int bits : {16, 32})
                 if (bits == 16 || file.stem() == "Convolution")
-                    cases.push_back({.effect = file,
-                                     .technique = technique.name,
-                                     .mapBits = bits,
-                                     .includeFolders = {},
-                                     .computes = computes(technique)});
+                    cases.push_back({.effect = file, .technique = technique.name, .mapBits = bits, .computes = computes(technique)});
     }
     for (const fs::path& file : effectsIn("effects/peers")) // the last technique of each: the others take fewer samples
-        if (const auto effect = loadCase({.effect = file, .technique = {}})) cases.push_back({file, effect->techniques.back().name});
-    cases.push_back({.effect = "effects/Main.fx", .technique = "DEonLuebke", .includeFolders = {}, .lamps = 1});
+        if (const auto effect = loadCase({.effect = file})) cases.push_back({file, effect->techniques.back().name});
+    cases.push_back({.effect = "effects/Main.fx", .technique = "DEonLuebke", .lamps = 1});
     for (const char* technique : {"DEonLuebke", "Gosselin", "Lambert"})
-        cases.push_back({.effect = "effects/Main.fx", .technique = technique, .includeFolders = {}, .lamps = 3, .surroundings = true});
+        cases.push_back({.effect = "effects/Main.fx", .technique = technique, .lamps = 3, .surroundings = true});
     for (const auto& [effect, technique] :
          {std::pair{"effects/Pyramid.fx", "PyramidLinked"}, {"effects/peers/Preintegrated.fx", "PreintegratedPenumbra"}})
-        cases.push_back({.effect = effect, .technique = technique, .includeFolders = {}, .lamps = 3, .surroundings = true});
-    cases.push_back({.effect = "effects/Pyramid.fx", .technique = "Pyramid", .includeFolders = {}, .lamps = 3, .soft = true});
+        cases.push_back({.effect = effect, .technique = technique, .lamps = 3, .surroundings = true});
+    cases.push_back({.effect = "effects/Pyramid.fx", .technique = "Pyramid", .lamps = 3, .soft = true});
     cases.push_back(libraryCase());
     return cases;
 }
@@ -208,7 +204,7 @@ Result<Image> readFloats(const fs::path& path) {
     if (bytes->size() >= sizeof head) std::memcpy(head.data(), bytes->data(), sizeof head);
     const std::size_t count = std::size_t{head[0]} * head[1] * head[2];
     if (count == 0 || bytes->size() != sizeof head + count * sizeof(float))
-        return inputError(5201, {.file = path.string(), .byte = {}}, "not a file of raw floats, or cut short");
+        return inputError(5201, {.file = path.string()}, "not a file of raw floats, or cut short");
     Image image{.width = static_cast<int>(head[0]), .height = static_cast<int>(head[1]), .channels = static_cast<int>(head[2])};
     image.pixels.resize(count);
     std::memcpy(image.pixels.data(), bytes->data() + sizeof head, count * sizeof(float));

@@ -135,7 +135,7 @@ Result<Distance> distance(const Case& drawn, Engine engine, const DrawnTarget& t
     const auto image = readFloats(path);
     if (!image) return image.error();
     if (image->width != reference->width || image->height != reference->height || image->channels != reference->channels)
-        return inputError(5260, {.file = path.string(), .byte = {}}, "the target has another size or other channels than Vulkan's");
+        return inputError(5260, {.file = path.string()}, "the target has another size or other channels than Vulkan's");
     const double limit = tolerance(target.kind);
     const Exception* exception = exceptionFor(drawn, engine, target);
     return measure(*image, *reference, limit, exception ? exception->largest : limit);

@@ -27,7 +27,7 @@ Result<void> drawWithVulkan(gpu::Device& device, const Mesh& mesh, const Case& d
     if (!effect) return effect.error();
     const Workspace workspace = drawsFur(drawn) ? furWorkspace() : testWorkspace();
     const RunOptions options{.technique = drawn.technique, .width = kPictureWidth, .height = kPictureHeight, .compiler = Compiler::Dxc};
-    run::Stage stage(device, *effect, {.mesh = &mesh, .objects = {}});
+    run::Stage stage(device, *effect, {.mesh = &mesh});
     auto staged = stage.prepare(workspace, options);
     if (!staged) return staged.error();
     if (const auto done = stage.draw(*staged, staged->frame.items.size()); !done) return done.error();
@@ -54,7 +54,7 @@ Result<void> drawWithVulkan(gpu::Device& device, const Mesh& mesh, const Case& d
 }
 
 Result<void> writeLibrary() {
-    const auto text = flattenLibrary("hlsl/tegument.fxh", {.defines = {}, .includeFolders = {}, .read = readFile});
+    const auto text = flattenLibrary("hlsl/tegument.fxh", {.read = readFile});
     if (!text) return text.error();
     return writeFile(drawings() / "tegument.hlsl", *text);
 }

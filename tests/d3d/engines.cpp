@@ -47,7 +47,6 @@ void addJobs(const Case& drawn, std::map<std::string, MicrosoftJob>& jobs) {
         const bool nine = engine == Engine::Direct3D9;
         const std::string file = effectFile(drawn, engine);
         jobs[file] = {.profile = nine ? "fx_2_0" : "fx_4_0",
-                      .entry = {},
                       .source = drawn.effect,
                       .defines = definesFor(drawn, nine ? "" : "FX_D3D10"),
                       .output = drawings() / file};
@@ -147,10 +146,10 @@ Result<void> emitAll(const std::vector<Case>& cases) {
     std::set<std::string> done;
     for (const Case& drawn : cases) {
         if (!done.insert(drawn.effectName()).second) continue;
-        CheckOptions options{.variants = {{.name = {}, .defines = drawn.defines(), .setting = {}}}, .includeFolders = drawn.includeFolders};
+        CheckOptions options{.variants = {{.defines = drawn.defines()}}, .includeFolders = drawn.includeFolders};
         const CheckReport report = checkEffects({drawn.effect}, {Target::Sm5}, options);
-        const auto written = emitEffect(report.files.at(0),
-                                        {.folder = drawings() / (drawn.effectName() + ".emitted"), .kinds = {Target::Sm5}, .defines = {}});
+        const auto written =
+            emitEffect(report.files.at(0), {.folder = drawings() / (drawn.effectName() + ".emitted"), .kinds = {Target::Sm5}});
         if (!written) return written.error();
     }
     return {};

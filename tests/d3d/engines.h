@@ -1,8 +1,8 @@
 #pragma once
 // Microsoft's compiler and the Direct3D clients, run in Wine over all cases.
 
-#include "host/support/process.h"
 #include "tests/d3d/cases.h"
+#include "tools/process/process.h"
 
 #include <string>
 #include <vector>

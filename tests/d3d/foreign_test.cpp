@@ -179,13 +179,13 @@ Result<std::string> drawOne(gpu::Device& device, const Mesh& mesh, const Drawn& 
     auto read = loadEffect(drawn.file, {.lenient = true});
     if (!read) return read.error();
     const auto theirs = authorsNumbers(*read);
-    const Adoption adoption = adopted(std::move(*read), {.bind = {}, .technique = {}, .width = kSide, .height = kSide});
+    const Adoption adoption = adopted(std::move(*read), {.width = kSide, .height = kSide});
     const Effect& effect = adoption.effect;
     const Technique* technique = effect.defaultTechnique();
-    if (!technique || technique->kind != TechniqueKind::D3D9) return inputError(5260, {.file = drawn.name, .byte = {}}, "not Direct3D 9's");
+    if (!technique || technique->kind != TechniqueKind::D3D9) return inputError(5260, {.file = drawn.name}, "not Direct3D 9's");
     const Workspace workspace = workspaceFor();
     const RunOptions options{.technique = technique->name, .width = kSide, .height = kSide, .compiler = Compiler::Dxc};
-    run::Stage stage(device, effect, {.mesh = &mesh, .objects = {}});
+    run::Stage stage(device, effect, {.mesh = &mesh});
     auto staged = stage.prepare(workspace, options);
     if (!staged) return staged.error();
     const run::Prepared& prepared = staged->runs.front().prepared;
@@ -207,8 +207,7 @@ Result<std::string> drawOne(gpu::Device& device, const Mesh& mesh, const Drawn& 
 std::vector<Drawn> all() {
     std::vector<Drawn> list;
     for (const auto& entry : fs::directory_iterator("tests/adopt/effects"))
-        if (entry.path().extension() == ".fx")
-            list.push_back({.name = entry.path().stem().string(), .file = entry.path(), .why = {}, .line = {}});
+        if (entry.path().extension() == ".fx") list.push_back({.name = entry.path().stem().string(), .file = entry.path()});
     std::ranges::sort(list, {}, &Drawn::name);
     return list;
 }
@@ -218,12 +217,9 @@ void compile(std::vector<Drawn>& list) {
     std::vector<MicrosoftJob> jobs;
     for (const Drawn& drawn : list)
         jobs.push_back({.profile = "fx_2_0",
-                        .entry = {},
                         .source = drawn.file,
-                        .defines = {},
                         .output = folder() / (drawn.name + ".fxo"),
                         .includeFolders = {drawn.file.parent_path()},
-                        .shader = {},
                         .compatible = true});
     const auto results = compileWithMicrosoft(jobs);
     ASSERT_TRUE(results) << format(results.error());

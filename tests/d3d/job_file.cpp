@@ -42,8 +42,8 @@ Type numeric(int rows, int columns) {
 /// What the scene has for a semantic: asked for as a matrix, a vector and a number.
 std::optional<Numbers> sceneValue(const std::string& semantic, const std::string& object, const run::SceneView& scene) {
     for (const Type& type : {numeric(4, 4), numeric(1, 3), numeric(1, 1)}) {
-        Parameter parameter{.name = semantic, .type = type, .semantic = semantic, .annotations = {}, .defaultValue = {}, .at = {}};
-        if (!object.empty()) parameter.annotations.list.push_back({.name = "Object", .type = {}, .value = object, .at = {}, .pieces = {}});
+        Parameter parameter{.name = semantic, .type = type, .semantic = semantic};
+        if (!object.empty()) parameter.annotations.list.push_back({.name = "Object", .type = {}, .value = object});
         if (const auto value = run::semanticValue(parameter, scene); value && *value) return **value;
     }
     return std::nullopt;

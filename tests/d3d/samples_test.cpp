@@ -32,8 +32,7 @@ std::string missing() {
 
 std::string runVulkan() {
     const auto run = runProcess({.arguments = {TEGUMENT_VULKAN_SAMPLE, "effects/Main.fx", (cacheFolder() / "human" / "human.glb").string(),
-                                               (kFolder / "vulkan.png").string(), (kFolder / "mesh.bin").string()},
-                                 .environment = {}},
+                                               (kFolder / "vulkan.png").string(), (kFolder / "mesh.bin").string()}},
                                 120);
     return !run ? format(run.error()) : run->exitCode == 0 ? "" : "the Vulkan sample failed: " + run->output;
 }
@@ -55,11 +54,11 @@ std::string runDirect3D9() {
 
 /// From what `tegument check --emit` writes.
 std::string runDirect3D12() {
-    const CheckOptions options{.variants = {{.name = {}, .defines = {{"TEGUMENT_MAP_SIZE", "512"}}, .setting = {}}}, .includeFolders = {}};
+    const CheckOptions options{.variants = {{.defines = {{"TEGUMENT_MAP_SIZE", "512"}}}}};
     const CheckReport report =
         checkEffects({"effects/Stretch.fx", "effects/EnergyAttenuation.fx", "effects/Main.fx"}, {Target::Sm5}, options);
     for (const FileReport& file : report.files)
-        if (const auto written = emitEffect(file, {.folder = kFolder / "emitted", .kinds = {Target::Sm5}, .defines = {}}); !written)
+        if (const auto written = emitEffect(file, {.folder = kFolder / "emitted", .kinds = {Target::Sm5}}); !written)
             return format(written.error());
     std::error_code code;
     const fs::path program = kFolder / "d3d12_sample.exe";

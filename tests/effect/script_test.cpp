@@ -192,7 +192,7 @@ const Defines kStudio = {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SURROUNDINGS", "1"}
 
 /// The passes that a technique has on Direct3D 9 only, and that its script plays there.
 std::vector<std::string> passesOfNine(const std::string& file, const std::string& name, const Defines& defines) {
-    const LoadOptions options{.defines = defines, .includeFolders = {}, .setting = {}};
+    const LoadOptions options{.defines = defines};
     const Effect effect = loaded(loadEffect(file, options));
     const Effect nine = loaded(loadEffectOfDirect3D9(file, options));
     const Technique& one = *effect.findTechnique(name);
@@ -231,7 +231,7 @@ TEST(LightByLight, is_not_asked_where_one_pass_has_slots_for_all) {
 }
 
 TEST(LightByLight, adds_to_the_picture_behind_the_pass_that_it_adds_to) {
-    const Effect nine = loaded(loadEffectOfDirect3D9("effects/Main.fx", {.defines = kThreeLamps, .includeFolders = {}, .setting = {}}));
+    const Effect nine = loaded(loadEffectOfDirect3D9("effects/Main.fx", {.defines = kThreeLamps}));
     const std::vector<Pass>& passes = nine.findTechnique("DEonLuebke")->passes;
     const Pass& lamp = passes.back();
     EXPECT_EQ(passes[passes.size() - 4].name, "Final");

@@ -146,7 +146,7 @@ TEST(States, values_out_of_range_are_errors) {
 
 std::string translated(std::vector<std::string> lines, std::map<int, std::string> samplers = {}) {
     std::string why;
-    const auto made = translateAssembly({.name = "f", .lines = std::move(lines), .constants = {}, .samplers = std::move(samplers)}, why);
+    const auto made = translateAssembly({.name = "f", .lines = std::move(lines), .samplers = std::move(samplers)}, why);
     return made ? made->text : "not: " + why;
 }
 

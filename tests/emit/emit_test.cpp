@@ -66,7 +66,7 @@ TEST(EmitKinds, have_the_names_of_the_command_line) {
 }
 
 TEST(Translation, of_every_shader_of_both_compilers_in_every_setting_is_glsl_and_msl) {
-    const CheckReport report = checkEffects(effectFiles(), spirvTargets(), {.includeFolders = {}, .allSettings = true});
+    const CheckReport report = checkEffects(effectFiles(), spirvTargets(), {.allSettings = true});
     int shaders = 0;
     for (const FileReport& file : report.files)
         for (const EntryPoint& entry : file.entries)
@@ -173,13 +173,13 @@ TEST_F(Emit, a_manifest_says_what_is_missing_without_this_machine_s_folders) {
 
 TEST_F(Emit, only_the_chosen_kinds_are_written) {
     const CheckReport report = checkEffects({"effects/TSM.fx"}, spirvTargets());
-    for (const auto& [name, bytes] : filesIn(emit(report, {.folder = {}, .kinds = {Target::SpirvGlslang}, .defines = {}})))
+    for (const auto& [name, bytes] : filesIn(emit(report, {.folder = {}, .kinds = {Target::SpirvGlslang}})))
         EXPECT_TRUE(name == "manifest.json" || name.starts_with("spirv-glslang/")) << name;
 }
 
 TEST_F(Emit, an_effect_that_fails_is_not_written) {
     const CheckReport report = checkEffects({"tests/check/broken/undeclared.fx"}, {Target::SpirvGlslang});
-    const auto written = emitEffect(report.files.at(0), {.folder = folder(), .defines = {}});
+    const auto written = emitEffect(report.files.at(0), {.folder = folder()});
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().diagnostics[0].code, 3301);
     EXPECT_FALSE(fs::exists(folder()));
@@ -196,7 +196,7 @@ float4 PS(float4 position : SV_Position) : SV_Target0 { return gTable[int(positi
 technique T { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = compile TG_PS_MODEL PS(); TG_STATE_BUFFER; } }
 #endif
 )"));
-    const auto written = emitEffect(checkEffects({source}, spirvTargets()).files.at(0), {.folder = folder() / "out", .defines = {}});
+    const auto written = emitEffect(checkEffects({source}, spirvTargets()).files.at(0), {.folder = folder() / "out"});
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().diagnostics[0].code, 3303);
     EXPECT_FALSE(fs::exists(folder() / "out"));
@@ -204,8 +204,7 @@ technique T { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = co
 
 TEST_F(Emit, a_folder_that_holds_something_else_is_left_alone) {
     ASSERT_TRUE(writeFile(folder() / "TSM/notes.txt", "mine"));
-    const auto written =
-        emitEffect(checkEffects({"effects/TSM.fx"}, {Target::SpirvGlslang}).files.at(0), {.folder = folder(), .defines = {}});
+    const auto written = emitEffect(checkEffects({"effects/TSM.fx"}, {Target::SpirvGlslang}).files.at(0), {.folder = folder()});
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().diagnostics[0].code, 3304);
     EXPECT_EQ(filesIn(folder()), (std::map<std::string, std::string>{{"TSM/notes.txt", "mine"}}));
@@ -223,9 +222,7 @@ TEST_F(Emit, what_was_written_before_is_replaced_whole) {
 /// A pixel shader that reads two of four components.
 Shader narrowPixel() {
     constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return float4(uv, 0, 1); }\n";
-    auto shader =
-        compileShader({.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = ShaderStage::Pixel, .defines = {}, .includeFolders = {}},
-                      Compiler::Glslang);
+    auto shader = compileShader({.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = ShaderStage::Pixel}, Compiler::Glslang);
     EXPECT_TRUE(shader);
     return shader ? *shader : Shader{};
 }
@@ -274,7 +271,7 @@ protected:
         if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
         const CheckReport checked = checkEffects({"effects/Pyramid.fx"}, {Target::Dxil});
         report_ = checked.files.at(0);
-        const auto written = emitEffect(report_, {.folder = folder_, .kinds = {Target::Dxil}, .defines = {}});
+        const auto written = emitEffect(report_, {.folder = folder_, .kinds = {Target::Dxil}});
         ASSERT_TRUE(written) << format(written.error());
         written_ = *written;
         manifest_ = json::parse(*readFile(written_ / "manifest.json"));
@@ -290,8 +287,7 @@ protected:
         const std::regex definition(fmt::format("\\b((?:void|float4|[A-Z]\\w*)\\s+{}\\s*\\()", entry));
         const std::string code = std::regex_replace(report_.effect.code, definition, fmt::format("[RootSignature(\"{}\")] $1", signature));
         EXPECT_TRUE(code != report_.effect.code) << entry << " is not found";
-        const auto made =
-            compileDxil({.code = code, .file = "effects/Pyramid.fx", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}});
+        const auto made = compileDxil({.code = code, .file = "effects/Pyramid.fx", .entry = entry, .stage = stage});
         if (!made) error_ = format(made.error());
         return static_cast<bool>(made);
     }
@@ -334,7 +330,7 @@ TEST_F(DxilEmit, a_root_signature_with_a_texture_less_is_refused) {
 TEST_F(DxilEmit, the_same_root_signature_serves_shader_model_5) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     const CheckReport checked = checkEffects({"effects/Pyramid.fx"}, {Target::Sm5});
-    const auto written = emitEffect(checked.files.at(0), {.folder = written_.parent_path() / "sm5", .kinds = {Target::Sm5}, .defines = {}});
+    const auto written = emitEffect(checked.files.at(0), {.folder = written_.parent_path() / "sm5", .kinds = {Target::Sm5}});
     ASSERT_TRUE(written) << format(written.error());
     const json other = json::parse(*readFile(*written / "manifest.json"));
     for (std::size_t t = 0; t < manifest_["techniques"].size(); ++t)

@@ -14,12 +14,11 @@ struct Tree {
     std::map<std::string, std::string> files;
 
     [[nodiscard]] Result<std::string> flatten() const {
-        return flattenEffect("main.fx",
-                             {.defines = {}, .includeFolders = {"shared"}, .read = [this](const fs::path& path) -> Result<std::string> {
-                                  const auto found = files.find(path.lexically_normal().string());
-                                  if (found == files.end()) return inputError(5001, {.file = path.string(), .byte = {}}, "not there");
-                                  return found->second;
-                              }});
+        return flattenEffect("main.fx", {.includeFolders = {"shared"}, .read = [this](const fs::path& path) -> Result<std::string> {
+                                             const auto found = files.find(path.lexically_normal().string());
+                                             if (found == files.end()) return inputError(5001, {.file = path.string()}, "not there");
+                                             return found->second;
+                                         }});
     }
 };
 
@@ -134,10 +133,10 @@ TEST(Flatten, what_a_file_needs_is_read_where_it_is_not_above) {
 Result<std::string> library(std::map<std::string, std::string> files) {
     const auto read = [files = std::move(files)](const fs::path& path) -> Result<std::string> {
         const auto found = files.find(path.lexically_normal().string());
-        if (found == files.end()) return inputError(5001, {.file = path.string(), .byte = {}}, "not there");
+        if (found == files.end()) return inputError(5001, {.file = path.string()}, "not there");
         return found->second;
     };
-    return flattenLibrary("head.fxh", {.defines = {}, .includeFolders = {}, .read = read});
+    return flattenLibrary("head.fxh", {.read = read});
 }
 
 TEST(FlattenLibrary, decides_what_the_library_and_guards_decide_and_leaves_the_rest_to_the_client) {

@@ -108,7 +108,6 @@ class Inputs(harness.Faults):
             (("prep", "environment", "room.exr", "-o", "{OUT}"), ".dds", ("room.exr",)),
             (("fur", "roots", "ball.obj", "--count", "20", "--density-map", "density.png", "-o", "{OUT}"), ".dds", ("ball.obj", "density.png")),
             (("fur", "roots", "ball.obj", "--count", "20", "-o", "new.dds"), "new.json", ("ball.obj",)),
-            (("fur", "roots", "ball.obj", "--count", "20", "-o", "new.dds", "--picture", "{OUT}"), ".png", ("ball.obj",)),
             (("fur", "strands", "ball.obj", "--roots", "roots.dds", "-o", "{OUT}"), ".glb", ("ball.obj", "roots.dds")),
             (("fur", "pose", "ball.obj", "bent.obj", "--roots", "roots.dds", "-o", "{OUT}"), ".dds", ("ball.obj", "bent.obj", "roots.dds")),
             (("fur", "pose", "ball.obj", "bent.obj", "--roots", "roots.dds", "-o", "new.dds", "--seats", "{OUT}"), ".dds",

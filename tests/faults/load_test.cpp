@@ -78,7 +78,7 @@ TEST(Load, memory_files_and_objects_of_the_device_stay_as_many_as_they_are) {
     ASSERT_GE(renders, kUsual);
     setenv("VK_LAYER_PATH", TEGUMENT_FAULT_LAYER, 1);
     setenv("VK_INSTANCE_LAYERS", "VK_LAYER_TEGUMENT_fault", 1);
-    auto device = gpu::Device::create({.validation = false, .prefer = {}});
+    auto device = gpu::Device::create({.validation = false});
     ASSERT_TRUE(device) << format(device.error());
     const std::vector<Effect> all = effects();
     const Mesh mesh = triangle();

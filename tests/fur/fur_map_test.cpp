@@ -152,7 +152,7 @@ std::array<Image, 6> noise() {
     std::uniform_real_distribution<float> value(0, 1);
     std::array<Image, 6> faces;
     for (Image& face : faces) {
-        face = {.width = kSide, .height = kSide, .channels = 4, .pixels = {}};
+        face = {.width = kSide, .height = kSide, .channels = 4};
         for (int i = 0; i < kSide * kSide * 4; ++i)
             face.pixels.push_back(value(random));
     }

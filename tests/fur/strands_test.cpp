@@ -156,8 +156,7 @@ TEST(StrandStatistics, prefer_more_strands_then_evener_ones) {
 
 /// Alpha of squares, `side` texels wide, each 0 or 1 by a coin.
 Image coins(int size, int side) {
-    Image map{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
-    map.pixels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4);
+    Image map = plainImage(size, size, 4);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x)
             map.at(x, y, 3) = (static_cast<unsigned>(x / side * 7919 + y / side * 104729) * 2654435761U) >> 31U ? 1.0F : 0.0F;

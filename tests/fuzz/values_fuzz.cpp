@@ -1,7 +1,7 @@
 // Any bytes are a PLY or glb file whose vertices have numbers of their own: as many rows as were asked for, each of all vertices, or one
 // error.
 
-#include "host/mesh/vertex_values.h"
+#include "meshprep/fur/roots/vertex_values.h"
 #include "tests/scene/fuzz/fuzz_mesh.h"
 
 #include <array>

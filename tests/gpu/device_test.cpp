@@ -46,7 +46,7 @@ TEST(DeviceStart, without_any_driver_is_a_machine_error_that_names_the_package) 
 
 TEST(DeviceStart, without_the_validation_layer_is_an_error_only_when_validation_is_asked_for) {
     const Environment layers("VK_LAYER_PATH", "/nonexistent");
-    const auto validated = Device::create({.validation = true, .prefer = {}});
+    const auto validated = Device::create({.validation = true});
     if (codeOf(validated) == 6001) GTEST_SKIP() << "no Vulkan loader";
     ASSERT_EQ(codeOf(validated), 6003);
     EXPECT_NE(format(validated.error()).find("vulkan-validationlayers"), std::string::npos) << format(validated.error());

@@ -68,7 +68,7 @@ TEST_F(Draws, a_rectangle_covers_exactly_the_pixels_whose_centres_it_holds) {
     const Pipeline pipeline = must(device().createPipeline(mesh(Topology::TriangleStrip)));
     const Buffer vertices = must(device().createBuffer(BufferUsage::Vertex, bytesOf(rectangle(3, 1, 6, 3))));
     const Targets targets{.colors = {&image}};
-    must(drawOnce(targets, {.pipeline = &pipeline, .resources = {}, .vertices = &vertices, .count = 4}));
+    must(drawOnce(targets, {.pipeline = &pipeline, .vertices = &vertices, .count = 4}));
     EXPECT_EQ(covered(targets), (std::vector<std::array<int, 2>>{{3, 1}, {4, 1}, {5, 1}, {3, 2}, {4, 2}, {5, 2}}));
 }
 
@@ -78,9 +78,7 @@ TEST_F(Draws, indices_and_instances_are_honoured) {
     const Buffer vertices = must(device().createBuffer(BufferUsage::Vertex, bytesOf(rectangle(2, 5, 3, 6))));
     const Buffer indices = must(device().createBuffer(BufferUsage::Index, bytesOf(std::array<std::uint32_t, 8>{9, 9, 0, 1, 2, 2, 1, 3})));
     const Targets targets{.colors = {&image}};
-    must(drawOnce(
-        targets,
-        {.pipeline = &pipeline, .resources = {}, .vertices = &vertices, .indices = &indices, .first = 2, .count = 6, .instances = 3}));
+    must(drawOnce(targets, {.pipeline = &pipeline, .vertices = &vertices, .indices = &indices, .first = 2, .count = 6, .instances = 3}));
     EXPECT_EQ(covered(targets), (std::vector<std::array<int, 2>>{{2, 5}, {3, 5}, {4, 5}}));
 }
 
@@ -93,7 +91,7 @@ TEST_F(Draws, first_skips_vertices) {
     all.insert(all.end(), drawn.begin(), drawn.end());
     const Buffer vertices = must(device().createBuffer(BufferUsage::Vertex, bytesOf(all)));
     const Targets targets{.colors = {&image}};
-    must(drawOnce(targets, {.pipeline = &pipeline, .resources = {}, .vertices = &vertices, .first = 4, .count = 4}));
+    must(drawOnce(targets, {.pipeline = &pipeline, .vertices = &vertices, .first = 4, .count = 4}));
     EXPECT_EQ(covered(targets), (std::vector<std::array<int, 2>>{{7, 7}}));
 }
 

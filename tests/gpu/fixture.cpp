@@ -7,7 +7,7 @@
 namespace tegument::gpu {
 
 void Gpu::SetUp() {
-    auto made = Device::create({.validation = true, .prefer = {}});
+    auto made = Device::create({.validation = true});
     const int code = codeOf(made);
     if (code == 6001 || code == 6002 || code == 6003) GTEST_SKIP() << format(made.error());
     device_.emplace(must(std::move(made)));
@@ -34,13 +34,8 @@ std::vector<Pixel> Gpu::pixels(Texture& texture, std::uint32_t mip) {
 }
 
 Sampler Gpu::sampler(Filter filter, Address address) {
-    return must(device().createSampler({.minFilter = filter,
-                                        .magFilter = filter,
-                                        .mipFilter = filter,
-                                        .addressU = address,
-                                        .addressV = address,
-                                        .addressW = address,
-                                        .compare = {}}));
+    return must(device().createSampler(
+        {.minFilter = filter, .magFilter = filter, .mipFilter = filter, .addressU = address, .addressV = address, .addressW = address}));
 }
 
 PipelineDesc Gpu::screen(std::span<const std::uint32_t> pixelShader, std::vector<Binding> bindings, std::vector<Format> colors) {
@@ -48,9 +43,7 @@ PipelineDesc Gpu::screen(std::span<const std::uint32_t> pixelShader, std::vector
                       .vertex = {.spirv = screen_vert, .entry = "main"},
                       .pixel = {.spirv = pixelShader, .entry = "main"},
                       .bindings = std::move(bindings),
-                      .attributes = {},
-                      .colorFormats = std::move(colors),
-                      .depthFormat = {}};
+                      .colorFormats = std::move(colors)};
     desc.state.cull = CullMode::None;
     desc.state.depthTest = false;
     return desc;

@@ -93,7 +93,7 @@ protected:
             must(recorder.clearDepthStencil(depth_, 1.0f, std::nullopt));
             for (std::size_t i = 0; i < buffers.size(); ++i)
                 must(recorder.draw({.colors = {&color_}, .depth = &depth_},
-                                   {.pipeline = &pipelines[i], .resources = {}, .vertices = &buffers[i], .count = 3}));
+                                   {.pipeline = &pipelines[i], .vertices = &buffers[i], .count = 3}));
             return recorder.resolve(color_, picture_);
         }));
         return pixels(picture_);
@@ -182,8 +182,7 @@ TEST_F(Multisampling, a_resolved_target_can_be_drawn_to_again) {
         const auto triangle = everywhere(0.75f, kGreen);
         const Buffer buffer = must(device().createBuffer(BufferUsage::Vertex, bytesOf(triangle)));
         must(device().run([&](Recorder& recorder) -> Result<void> {
-            must(recorder.draw({.colors = {&color_}, .depth = &depth_},
-                               {.pipeline = &more, .resources = {}, .vertices = &buffer, .count = 3}));
+            must(recorder.draw({.colors = {&color_}, .depth = &depth_}, {.pipeline = &more, .vertices = &buffer, .count = 3}));
             return recorder.resolve(color_, picture_);
         }));
         for (const Pixel& pixel : pixels(picture_))

@@ -46,7 +46,7 @@ protected:
         const Pipeline pipeline = must(device().createPipeline(desc));
         const Buffer buffer = must(device().createBuffer(BufferUsage::Vertex, std::as_bytes(vertices)));
         must(drawOnce({.colors = {&color_}, .depth = &depth_},
-                      {.pipeline = &pipeline, .resources = {}, .vertices = &buffer, .count = static_cast<std::uint32_t>(vertices.size())}));
+                      {.pipeline = &pipeline, .vertices = &buffer, .count = static_cast<std::uint32_t>(vertices.size())}));
     }
 
     Pixel middle() { return pixels(color_)[4 * 8 + 4]; }

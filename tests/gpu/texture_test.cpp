@@ -223,13 +223,7 @@ protected:
 };
 
 SamplerState with(Filter filter, Address address) {
-    return {.minFilter = filter,
-            .magFilter = filter,
-            .mipFilter = filter,
-            .addressU = address,
-            .addressV = address,
-            .addressW = address,
-            .compare = {}};
+    return {.minFilter = filter, .magFilter = filter, .mipFilter = filter, .addressU = address, .addressV = address, .addressW = address};
 }
 
 TEST_F(Samplers, point_reads_the_texel_that_holds_the_place) {

@@ -11,7 +11,7 @@ namespace tegument::test {
 
 /// Null where there is no device; `reason` then says why.
 inline gpu::Device* device(std::string& reason) {
-    static Result<gpu::Device> made = gpu::Device::create({.validation = true, .prefer = {}});
+    static Result<gpu::Device> made = gpu::Device::create({.validation = true});
     if (made) return &*made;
     reason = format(made.error());
     return nullptr;

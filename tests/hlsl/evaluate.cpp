@@ -87,7 +87,7 @@ std::string storesAsVariables(const std::string& code) {
 /// The source that the function stands in, its own way of naming files and all.
 Result<std::string> source(const FunctionCase& function, int setting) {
     if (function.effect.empty()) return std::string(kLibrary);
-    auto effect = loadEffect("effects/" + function.effect, {.defines = definesOf(function, setting), .includeFolders = {}});
+    auto effect = loadEffect("effects/" + function.effect, {.defines = definesOf(function, setting)});
     if (!effect) return effect.error();
     return storesAsVariables(effect->code);
 }
@@ -118,8 +118,7 @@ float4 FunctionPS(float4 position : SV_Position) : SV_Target0
 
 Result<Shader> compile(const FunctionCase& function, const std::string& code, ShaderStage stage, const std::string& entry, int setting,
                        Compiler compiler) {
-    ShaderRequest request{
-        .code = code, .file = "effects/function_test.hlsl", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    ShaderRequest request{.code = code, .file = "effects/function_test.hlsl", .entry = entry, .stage = stage};
     request.defines = definesOf(function, setting);
     return compileShader(request, compiler);
 }
@@ -254,9 +253,7 @@ Result<void> run(gpu::Device& device, const Shader& vertex, const Shader& pixel,
                            .vertex = {.spirv = vertex.spirv, .entry = vertex.entry},
                            .pixel = {.spirv = pixel.spirv, .entry = pixel.entry},
                            .bindings = bound.bindings,
-                           .attributes = {},
-                           .colorFormats = {gpu::Format::RGBA32F},
-                           .depthFormat = {}};
+                           .colorFormats = {gpu::Format::RGBA32F}};
     desc.state.cull = CullMode::None;
     desc.state.depthTest = false;
     const auto pipeline = device.createPipeline(desc);

@@ -49,7 +49,7 @@ std::string nameOf(const Call& call) {
 }
 
 Result<gpu::Device>& device() {
-    static Result<gpu::Device> made = gpu::Device::create({.validation = true, .prefer = {}});
+    static Result<gpu::Device> made = gpu::Device::create({.validation = true});
     return made;
 }
 

@@ -57,7 +57,7 @@ FunctionCase lampCase(const char* function, std::string body, std::vector<Argume
     made.globals["gOcclusionShare"] = {kOcclusion};
     made.maps["gLampsSeenMap"] = rowOfTexels(kSeen);
     made.maps["gOcclusionMap"] = oneTexel(kOpen.x, kOpen.y, kOpen.z, kOpen.w);
-    TestMap cube{.size = 1, .texels = {}, .cube = true};
+    TestMap cube{.size = 1, .cube = true};
     for (const glm::dvec3& face : kFaces)
         cube.texels.push_back(texelOf(glm::dvec4(face, 1)));
     made.maps["gEnvironmentMap"] = cube;

@@ -14,7 +14,7 @@ namespace tegument::test {
 /// Texels by their column and row.
 template <class Texel>
 [[nodiscard]] TestMap mapOf(int width, int height, Texel texel) {
-    TestMap map{.size = width, .texels = {}, .height = height};
+    TestMap map{.size = width, .height = height};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             map.texels.push_back(texel(x, y));
@@ -24,7 +24,7 @@ template <class Texel>
 /// 256 texels a side, and nine levels that tell which one was read; of a cube with six faces.
 template <class Texel>
 [[nodiscard]] TestMap leveledMap(bool cube, Texel texel) {
-    TestMap map{.size = 256, .texels = {}, .mips = 9, .cube = cube};
+    TestMap map{.size = 256, .mips = 9, .cube = cube};
     for (int face = 0; face < (cube ? 6 : 1); ++face)
         for (int mip = 0; mip < map.mips; ++mip)
             map.texels.insert(map.texels.end(), std::size_t{1} << (16 - 2 * mip), texel(mip));

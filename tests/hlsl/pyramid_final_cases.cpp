@@ -192,9 +192,9 @@ double seenDepth(int x, int y) {
 
 /// A picture of 8 x 8 pixels by the compute shader. A pixel is half a texel of the colour map wide, whose next level has another colour.
 FunctionCase lighting() {
-    TestMap places{.size = 8, .texels = {}};
-    TestMap depths{.size = 8, .texels = {}};
-    TestMap colours{.size = 8, .texels = {}, .mips = 2};
+    TestMap places{.size = 8};
+    TestMap depths{.size = 8};
+    TestMap colours{.size = 8, .mips = 2};
     for (int i = 0; i < 64; ++i) {
         const glm::dvec2 n = storedNormal(seenNormal(i % 8, i / 8));
         places.texels.push_back({static_cast<float>(0.2 + 0.0625 * (i % 8)), static_cast<float>(0.3 + 0.0625 * (i / 8)),

@@ -231,7 +231,7 @@ std::vector<FunctionCase> parts() {
                 },
                 size));
             for (int level = 0; level < 7; ++level) { // 8 x 8 texels, each another light
-                TestMap map{.size = 8, .texels = {}};
+                TestMap map{.size = 8};
                 for (int i = 0; i < 64; ++i) {
                     const glm::dvec4 t = entryOf(level) * (1 + 0.1 * (i % 8) + i / 8);
                     map.texels.push_back(

@@ -253,7 +253,7 @@ std::vector<FunctionCase> facets() {
 
 /// A map of half the texels along a side: of each four by four of the finer one, weighted 1, 3, 3, 1 both ways; the border goes on.
 TestMap halved(const TestMap& finer) {
-    TestMap map{.size = finer.size / 2, .texels = {}};
+    TestMap map{.size = finer.size / 2};
     constexpr std::array<double, 4> kWeights = {1.0 / 8, 3.0 / 8, 3.0 / 8, 1.0 / 8};
     for (int y = 0; y < map.size; ++y)
         for (int x = 0; x < map.size; ++x) {
@@ -269,7 +269,7 @@ TestMap halved(const TestMap& finer) {
 
 /// Three reductions by a group of 64 threads, which wait for each other twice. The last texel of the last map that it writes.
 FunctionCase reducedByGroup(const std::string& entry, int from, int size) {
-    TestMap finest{.size = size >> from, .texels = {}};
+    TestMap finest{.size = size >> from};
     for (int y = 0; y < finest.size; ++y)
         for (int x = 0; x < finest.size; ++x)
             finest.texels.push_back({0.5F + 0.4F * std::sin(0.9F * static_cast<float>(x)), 0.01F * static_cast<float>(y * y % 97),

@@ -90,7 +90,7 @@ double filtered(glm::dvec2 uv, double depth, glm::dvec2 slope) {
 /// Pieces of a surface side by side: of eight columns each, and rows, one is another by u, by v, or by what it covers.
 const TestMap& piecesMap() {
     static const TestMap kMap = [] {
-        TestMap map{.size = kTestMapSize, .texels = {}};
+        TestMap map{.size = kTestMapSize};
         for (int y = 0; y < kTestMapSize; ++y)
             for (int x = 0; x < kTestMapSize; ++x)
                 map.texels.push_back({600 + 0.25F * static_cast<float>(x % 16), x / 8 % 3 == 0 ? 0.2F : 0.3F, x / 8 % 3 == 1 ? 0.4F : 0.5F,

@@ -44,7 +44,7 @@ Globals scene() {
 } // namespace
 
 TestMap rowOfTexels(const std::vector<glm::dvec4>& texels) {
-    TestMap row{.size = static_cast<int>(texels.size()), .texels = {}, .height = 1};
+    TestMap row{.size = static_cast<int>(texels.size()), .height = 1};
     for (const glm::dvec4& t : texels)
         row.texels.push_back(texelOf(t));
     return row;

@@ -118,13 +118,7 @@ struct LightView {
 
 /// A pyramid of 40 degrees, and a box 120 units wide, from the same place.
 LightView lightView(bool parallel) {
-    LightView light{.globals = {},
-                    .right = {},
-                    .up = {},
-                    .back = {},
-                    .position = {-300, 250, 400},
-                    .half = parallel ? 60 : std::tan(0.35),
-                    .parallel = parallel};
+    LightView light{.position = {-300, 250, 400}, .half = parallel ? 60 : std::tan(0.35), .parallel = parallel};
     light.back = glm::normalize(light.position);
     light.right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), light.back));
     light.up = glm::cross(light.back, light.right);

@@ -16,14 +16,13 @@ Image twos(int width = 10, int height = 10, int channels = 4) {
     return {.width = width,
             .height = height,
             .channels = channels,
-            .pixels = std::vector<float>(static_cast<std::size_t>(width * height * channels), 2.0F),
-            .metadata = {}};
+            .pixels = std::vector<float>(static_cast<std::size_t>(width * height * channels), 2.0F)};
 }
 
 /// Eight bits without a pattern.
 Image noise(int width, int height, int channels) {
     std::mt19937 random(7);
-    Image image{.width = width, .height = height, .channels = channels, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image image{.width = width, .height = height, .channels = channels, .bitsPerChannel = 8};
     for (int i = 0; i < width * height * channels; ++i)
         image.pixels.push_back(static_cast<float>(random() % 256) / 255);
     return image;
@@ -142,7 +141,7 @@ TEST(MipLevels, of_one_texel_are_none) {
 }
 
 TEST(MipLevels, of_two_channels_have_their_alpha_in_the_second) {
-    const Image image{.width = 2, .height = 1, .channels = 2, .pixels = {0, 0, 1, 1}, .bitsPerChannel = 8, .metadata = {}};
+    const Image image{.width = 2, .height = 1, .channels = 2, .pixels = {0, 0, 1, 1}, .bitsPerChannel = 8};
     const Image half = mipLevels(image, MeanOf::Light).front();
     EXPECT_NEAR(half.at(0, 0, 0), 0.7354F, 1e-4F) << "sRGB of 1/2";
     EXPECT_EQ(half.at(0, 0, 1), 0.5F);

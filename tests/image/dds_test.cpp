@@ -4,7 +4,7 @@
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ testing::AssertionResult fails(const Result<T>& result, int code, std::size_t by
 }
 
 Image rampOf(int width, int height, int channels) {
-    Image image{.width = width, .height = height, .channels = channels, .pixels = {}};
+    Image image{.width = width, .height = height, .channels = channels};
     for (int i = 0; i < width * height * channels; ++i)
         image.pixels.push_back(static_cast<float>(i % 256) / 255);
     return image;
@@ -284,7 +284,7 @@ TEST(Dds, floats_return_bit_for_bit) {
 }
 
 TEST(Dds, a_cube_map_returns) {
-    DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1, .images = {}};
+    DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1};
     for (int face = 0; face < 6; ++face)
         cube.images.push_back({.width = 1, .height = 1, .channels = 4, .pixels = std::vector<float>(4, static_cast<float>(face) / 5)});
     for (const DdsHeader header : {DdsHeader::Dx10, DdsHeader::Direct3D9}) {
@@ -331,7 +331,7 @@ constexpr const char* kScript = "import sys\n"
 
 /// Every channel of every texel another value, each exactly a byte.
 Image distinct(int width, int height) {
-    Image image{.width = width, .height = height, .channels = 4, .pixels = {}};
+    Image image{.width = width, .height = height, .channels = 4};
     for (int i = 0; i < 4 * width * height; ++i)
         image.pixels.push_back(static_cast<float>(11 + 3 * i) / 255);
     return image;
@@ -356,7 +356,7 @@ protected:
     std::optional<std::string> read(const DdsTexture& texture) {
         const auto written = writeDds(file_, texture, GetParam());
         EXPECT_TRUE(written) << format(written.error());
-        const auto run = runProcess({.arguments = {"/usr/bin/python3", "-c", kScript, file_.string()}, .environment = {}}, 60);
+        const auto run = runProcess({.arguments = {"/usr/bin/python3", "-c", kScript, file_.string()}}, 60);
         if (!run || run->exitCode == kNoPillow) return std::nullopt;
         EXPECT_EQ(run->exitCode, 0) << run->output;
         return run->output;

@@ -42,7 +42,7 @@ protected:
 };
 
 Image ramp(int width, int height, int channels) {
-    Image image{.width = width, .height = height, .channels = channels, .pixels = {}, .bitsPerChannel = 32, .metadata = {}};
+    Image image{.width = width, .height = height, .channels = channels, .bitsPerChannel = 32};
     const int count = width * height * channels;
     for (int i = 0; i < count; ++i)
         image.pixels.push_back(static_cast<float>(i) / static_cast<float>(count - 1));
@@ -217,7 +217,7 @@ TEST_F(Images, raw_png_returns_every_8_bit_value_and_the_metadata) {
 }
 
 TEST_F(Images, display_png_is_tone_mapped_then_srgb_without_alpha) {
-    Image image{.width = 1, .height = 1, .channels = 4, .pixels = {0.18f, 1.0f, 100.0f, 0.5f}, .bitsPerChannel = 32, .metadata = {}};
+    Image image{.width = 1, .height = 1, .channels = 4, .pixels = {0.18f, 1.0f, 100.0f, 0.5f}, .bitsPerChannel = 32};
     ASSERT_TRUE(writePng(folder_ / "x.png", image, PngEncoding::Display));
     const auto read = loadImage(folder_ / "x.png");
     ASSERT_TRUE(read) << format(read.error());
@@ -237,7 +237,7 @@ TEST_F(Images, only_color_png_says_that_it_is_srgb) {
 }
 
 TEST_F(Images, not_a_number_and_out_of_range_become_black_or_white) {
-    Image image{.width = 3, .height = 1, .channels = 1, .pixels = {NAN, -5, 7}, .bitsPerChannel = 32, .metadata = {}};
+    Image image{.width = 3, .height = 1, .channels = 1, .pixels = {NAN, -5, 7}, .bitsPerChannel = 32};
     const auto bytes = encodePng(image, PngEncoding::Raw);
     ASSERT_TRUE(bytes);
     EXPECT_EQ(decode(*bytes)->pixels, (std::vector<float>{0, 0, 1}));
@@ -283,7 +283,7 @@ TEST_F(Images, a_half_exr_returns_halves_bit_for_bit_and_is_smaller) {
 }
 
 TEST_F(Images, a_jpeg_keeps_smooth_values_within_three_steps) {
-    Image image{.width = 32, .height = 32, .channels = 3, .pixels = {}};
+    Image image{.width = 32, .height = 32, .channels = 3};
     for (int row = 0; row < 32; ++row)
         for (int column = 0; column < 32; ++column)
             image.pixels.insert(image.pixels.end(), {static_cast<float>(column) / 31, static_cast<float>(row) / 31, 128.0f / 255});

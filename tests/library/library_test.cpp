@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 class Library : public testing::Test {
 protected:
     void SetUp() override {
-        const auto text = flattenLibrary("hlsl/tegument.fxh", {.defines = {}, .includeFolders = {}, .read = readFile});
+        const auto text = flattenLibrary("hlsl/tegument.fxh", {.read = readFile});
         ASSERT_TRUE(text) << format(text.error());
         text_ = *text;
         folder_ = fs::temp_directory_path() / ("tegument-library-" + std::to_string(::getpid()));
@@ -43,7 +43,7 @@ private:
 TEST_F(Library, compiles_for_direct3d_9_10_and_11_by_microsofts_compiler) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     const auto job = [&](const char* profile, const char* name) {
-        return MicrosoftJob{.profile = profile, .entry = "main", .source = client(name), .defines = {}, .output = {}};
+        return MicrosoftJob{.profile = profile, .entry = "main", .source = client(name)};
     };
     const std::vector<MicrosoftJob> jobs = {job("ps_3_0", "model3.hlsl"), job("ps_4_0", "model4.hlsl"), job("ps_5_0", "model4.hlsl")};
     const auto results = compileWithMicrosoft(jobs);
@@ -69,13 +69,8 @@ TEST_P(LibrarySpirv, compiles) {
     if (const std::string missing = compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
     const auto code = readFile(client("model4.hlsl"));
     ASSERT_TRUE(code);
-    const auto shader = compileShader({.code = *code,
-                                       .file = client("model4.hlsl").string(),
-                                       .entry = "main",
-                                       .stage = ShaderStage::Pixel,
-                                       .defines = {},
-                                       .includeFolders = {}},
-                                      GetParam());
+    const auto shader =
+        compileShader({.code = *code, .file = client("model4.hlsl").string(), .entry = "main", .stage = ShaderStage::Pixel}, GetParam());
     ASSERT_TRUE(shader) << format(shader.error());
     std::set<std::string> resources;
     for (const Resource& resource : shader->reflection.resources)

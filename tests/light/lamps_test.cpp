@@ -19,8 +19,7 @@ class Lamps : public Run {
 protected:
     Result<RunResult> draw(const std::string& effectFile, const std::string& technique, int lamps, const Parameters& parameters,
                            const glm::vec3& light = {0, 0, 0}) {
-        const auto effect = loadEffect(
-            effectFile, {.defines = {{"TEGUMENT_LAMPS", std::to_string(lamps)}, {"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
+        const auto effect = loadEffect(effectFile, {.defines = {{"TEGUMENT_LAMPS", std::to_string(lamps)}, {"TEGUMENT_MAP_SIZE", "128"}}});
         if (!effect) return effect.error();
         const Mesh mesh = sphere();
         Workspace workspace = closeUp();
@@ -202,8 +201,7 @@ protected:
                                                                        {"TEGUMENT_SOFT_SHADOWS", soft ? "1" : "0"},
                                                                        {"TEGUMENT_SETTING", setting},
                                                                        {"TEGUMENT_MAP_SIZE", std::to_string(kMap)},
-                                                                       {"TEGUMENT_SHADOW_SIZE", "512"}},
-                                                           .includeFolders = {}});
+                                                                       {"TEGUMENT_SHADOW_SIZE", "512"}}});
         if (!effect) return effect.error();
         Mesh mesh = plane();
         addBall(mesh, glm::vec3(kCentre), static_cast<float>(kRadius), false);

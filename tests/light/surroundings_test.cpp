@@ -27,7 +27,7 @@ class Surroundings : public Run {
 protected:
     static std::string environment(const std::string& name, const std::function<double(const glm::dvec3&)>& radiance) {
         constexpr int kHeight = 64;
-        Image image{.width = 2 * kHeight, .height = kHeight, .channels = 3, .pixels = {}};
+        Image image{.width = 2 * kHeight, .height = kHeight, .channels = 3};
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < 2 * kHeight; ++x)
                 image.pixels.insert(image.pixels.end(), 3,
@@ -43,8 +43,7 @@ protected:
     Result<RunResult> draw(const std::string& effectFile, const std::string& technique, const std::string& environment,
                            std::map<std::string, std::vector<double>> parameters, const std::string& setting = "2") {
         const auto effect = loadEffect(
-            effectFile, {.defines = {{"TEGUMENT_SURROUNDINGS", "1"}, {"TEGUMENT_MAP_SIZE", "256"}, {"TEGUMENT_SETTING", setting}},
-                         .includeFolders = {}});
+            effectFile, {.defines = {{"TEGUMENT_SURROUNDINGS", "1"}, {"TEGUMENT_MAP_SIZE", "256"}, {"TEGUMENT_SETTING", setting}}});
         if (!effect) return effect.error();
         const Mesh mesh = sphere();
         parameters.insert({"gLightColor", {0, 0, 0}});
@@ -201,7 +200,7 @@ Image noisyNormals(double slope, unsigned seed) {
     std::mt19937 random(seed);
     const std::vector<double> across = smoothNoise(random, kSize);
     const std::vector<double> down = smoothNoise(random, kSize);
-    Image image{.width = kSize, .height = kSize, .channels = 4, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image image{.width = kSize, .height = kSize, .channels = 4, .bitsPerChannel = 8};
     for (std::size_t i = 0; i < across.size(); ++i) {
         const glm::dvec3 normal = glm::normalize(glm::dvec3(slope * across[i], slope * down[i], 1));
         for (const double value : {normal.x, normal.y, normal.z})
@@ -223,8 +222,7 @@ protected:
     };
 
     Result<Image> draw(int size, const Look& look) {
-        const auto effect =
-            loadEffect("effects/Specular.fx", {.defines = {{"TEGUMENT_LOBES", look.compiled ? "1" : "0"}}, .includeFolders = {}});
+        const auto effect = loadEffect("effects/Specular.fx", {.defines = {{"TEGUMENT_LOBES", look.compiled ? "1" : "0"}}});
         if (!effect) return effect.error();
         std::map<std::string, std::vector<double>> parameters = {{"gRoughness", {0.25 * look.rougher}},
                                                                  {"gSpecularIntensity", {0.2 * look.intenser}}};
@@ -286,10 +284,8 @@ TEST_F(Lobes, of_a_relief_from_afar_are_the_mean_of_what_is_seen_near_by) {
 
 /// One texel, as the map stores it: 128 is 1.
 EmbeddedTexture shineOf(float roughness, float intensity) {
-    return {
-        .role = "shine",
-        .image = {
-            .width = 1, .height = 1, .channels = 3, .pixels = {roughness / 255, intensity / 255, 0}, .bitsPerChannel = 8, .metadata = {}}};
+    return {.role = "shine",
+            .image = {.width = 1, .height = 1, .channels = 3, .pixels = {roughness / 255, intensity / 255, 0}, .bitsPerChannel = 8}};
 }
 
 double farthest(const Image& a, const Image& b) {

@@ -59,7 +59,7 @@ protected:
         from_ = out[0];
         input_ = std::make_unique<Input>(from_);
         thread_ = std::thread([read = in[0], write = out[1], this] {
-            code_ = serve(read, write, {.load = {}, .semantics = {"WORLD", "WORLDVIEWPROJECTION"}, .idleMilliseconds = 1});
+            code_ = serve(read, write, {.semantics = {"WORLD", "WORLDVIEWPROJECTION"}, .idleMilliseconds = 1});
             ::close(read);
             ::close(write);
         });

@@ -159,7 +159,7 @@ TEST_F(Gltf, external_and_data_buffers_are_read) {
 }
 
 TEST_F(Gltf, textures_are_found_by_role_embedded_and_beside_the_file) {
-    const Image red{.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .bitsPerChannel = 8, .metadata = {}};
+    const Image red{.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .bitsPerChannel = 8};
     const auto png = encodePng(red, PngEncoding::Raw);
     ASSERT_TRUE(png);
     write("red.png", *png);
@@ -185,7 +185,7 @@ TEST_F(Gltf, textures_are_found_by_role_embedded_and_beside_the_file) {
 }
 
 TEST_F(Gltf, a_second_texture_of_a_role_is_ignored_with_a_warning_where_coordinates_must_stay) {
-    const auto png = encodePng({.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw);
+    const auto png = encodePng({.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}}, PngEncoding::Raw);
     ASSERT_TRUE(png);
     write("red.png", *png);
     write("other.png", *png);
@@ -206,7 +206,7 @@ TEST_F(Gltf, a_second_texture_of_a_role_is_ignored_with_a_warning_where_coordina
 
 TEST_F(Gltf, materials_of_several_pictures_and_colours_are_laid_out_in_one_sheet) {
     const auto picture = [&](const std::string& name, int side, const std::vector<float>& colour) {
-        Image image{.width = side, .height = side, .channels = 3, .pixels = {}, .metadata = {}};
+        Image image{.width = side, .height = side, .channels = 3, .pixels = {}};
         for (int i = 0; i < side * side; ++i)
             image.pixels.insert(image.pixels.end(), colour.begin(), colour.end());
         ASSERT_TRUE(writePng(folder_ / name, image, PngEncoding::Raw));
@@ -249,8 +249,7 @@ TEST_F(Gltf, materials_of_several_pictures_and_colours_are_laid_out_in_one_sheet
 }
 
 TEST_F(Gltf, the_factor_of_a_material_colours_its_picture) {
-    ASSERT_TRUE(
-        writePng(folder_ / "white.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 1, 1}, .metadata = {}}, PngEncoding::Raw));
+    ASSERT_TRUE(writePng(folder_ / "white.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 1, 1}}, PngEncoding::Raw));
     Parts parts;
     parts.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0})";
     parts.more = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[0.5,1,0,1]}}],)"
@@ -462,8 +461,7 @@ TEST_F(Gltf, coordinates_are_those_that_the_colour_map_is_read_with) {
 }
 
 TEST_F(Gltf, pictures_go_on_beyond_their_edges_as_their_samplers_say) {
-    ASSERT_TRUE(writePng(folder_ / "two.png", {.width = 2, .height = 1, .channels = 3, .pixels = {1, 0, 0, 0, 0, 1}, .metadata = {}},
-                         PngEncoding::Raw));
+    ASSERT_TRUE(writePng(folder_ / "two.png", {.width = 2, .height = 1, .channels = 3, .pixels = {1, 0, 0, 0, 0, 1}}, PngEncoding::Raw));
     constexpr int kRepeat = 10497, kMirror = 33648, kClamp = 33071;
     for (const int wrap : {kRepeat, kMirror, kClamp}) {
         Parts parts;

@@ -61,7 +61,7 @@ Mesh sheet() {
 }
 
 Image checker() {
-    Image image{.width = 3, .height = 2, .channels = 3, .pixels = {}, .bitsPerChannel = 8, .metadata = {}};
+    Image image{.width = 3, .height = 2, .channels = 3, .bitsPerChannel = 8};
     for (int i = 0; i < 18; ++i)
         image.pixels.push_back(static_cast<float>(i * 13 % 256) / 255.0f);
     return image;

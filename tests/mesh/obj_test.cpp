@@ -157,7 +157,7 @@ constexpr std::string_view kMaterialObj =
 } // namespace
 
 TEST_F(Obj, brings_the_colour_map_that_its_material_names) {
-    Image red{.width = 2, .height = 1, .channels = 3, .pixels = {1, 0, 0, 1, 0, 0}, .metadata = {}};
+    Image red{.width = 2, .height = 1, .channels = 3, .pixels = {1, 0, 0, 1, 0, 0}};
     ASSERT_TRUE(writePng(folder_ / "red.png", red, PngEncoding::Raw));
     for (const std::string_view line : {"map_Kd red.png", "\tmap_Kd -s 1 1 1 red.png \r", "MAP_KD .\\red.png"}) {
         write("my scan.mtl", "newmtl other\nmap_Kd none.png\nnewmtl skin\nKd 1 1 1\n" + std::string(line) + "\n");
@@ -172,7 +172,7 @@ TEST_F(Obj, brings_the_colour_map_that_its_material_names) {
 TEST_F(Obj, lays_out_several_colours_in_a_sheet_or_keeps_the_first_where_coordinates_must_stay) {
     for (const auto& [name, colour] :
          {std::pair("red.png", std::vector<float>{1, 0, 0}), std::pair("eye.png", std::vector<float>{0, 0, 1})})
-        ASSERT_TRUE(writePng(folder_ / name, {.width = 1, .height = 1, .channels = 3, .pixels = colour, .metadata = {}}, PngEncoding::Raw));
+        ASSERT_TRUE(writePng(folder_ / name, {.width = 1, .height = 1, .channels = 3, .pixels = colour}, PngEncoding::Raw));
     write("my scan.mtl", "newmtl skin\nmap_Kd red.png\nKd 0 0 0\nnewmtl eye\nmap_Kd eye.png\nnewmtl lip\nKd 0 .25 0\n");
     const std::string text = std::string(kMaterialObj) + "usemtl eye\nf 3/3 2/2 1/1\nusemtl lip\nf 1/1 2/2 3/3\n"; // of the same corners
     const auto sheet = load("a.obj", text);
@@ -203,8 +203,7 @@ TEST_F(Obj, lays_out_several_colours_in_a_sheet_or_keeps_the_first_where_coordin
 }
 
 TEST_F(Obj, finds_libraries_and_pictures_that_were_named_on_another_machine) {
-    ASSERT_TRUE(writePng(folder_ / "Bunny Col.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}},
-                         PngEncoding::Raw));
+    ASSERT_TRUE(writePng(folder_ / "Bunny Col.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}}, PngEncoding::Raw));
     const std::string body = "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl skin\nf 1/1 2/2 3/3\n";
     const auto picturesOf = [&](const std::string& library, const std::string& map) {
         write("bunny.mtl", map);
@@ -235,7 +234,7 @@ TEST_F(Obj, brings_a_picture_for_each_tile_of_the_plane) {
     std::filesystem::create_directory(folder_ / "maps");
     for (const auto& [number, pixel] : {std::pair(1001, std::vector<float>{1, 0, 0}), std::pair(1012, std::vector<float>{0, 0, 1})})
         ASSERT_TRUE(writePng(folder_ / "maps" / ("skin." + std::to_string(number) + ".png"),
-                             {.width = 1, .height = 1, .channels = 3, .pixels = pixel, .metadata = {}}, PngEncoding::Raw));
+                             {.width = 1, .height = 1, .channels = 3, .pixels = pixel}, PngEncoding::Raw));
     write("my scan.mtl", "newmtl skin\nmap_Kd maps/skin.<UDIM>.png\n");
     const std::string text = std::string(kMaterialObj) + "v 5 0 0\nv 6 0 0\nv 5 1 0\nvt 1.25 1.5\nvt 2 1\nvt 1 2\nf 4/4 5/5 6/6\n";
     const auto mesh = load("a.obj", text);

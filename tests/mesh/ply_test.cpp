@@ -224,8 +224,7 @@ TEST_F(Ply, corners_without_texture_coordinates_among_others_are_told) {
 }
 
 TEST_F(Ply, the_picture_that_a_comment_names_is_the_colour_map) {
-    ASSERT_TRUE(
-        writePng(folder_ / "my scan.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw));
+    ASSERT_TRUE(writePng(folder_ / "my scan.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}}, PngEncoding::Raw));
     for (const char* name : {"my scan.png", "C:\\scans\\My Scan.PNG"}) {
         const auto mesh = load("a.ply", wedged(std::string("comment TextureFile ") + name + "\n"));
         ASSERT_TRUE(mesh);
@@ -281,7 +280,7 @@ TEST_F(Ply, no_numbers_of_old_windows_programs_are_understood) {
 
 TEST_F(Ply, each_face_has_the_picture_that_its_number_names) {
     const auto picture = [&](const std::string& name, int width, int height, const glm::vec3& colour) {
-        Image image{.width = width, .height = height, .channels = 3, .pixels = {}, .metadata = {}};
+        Image image{.width = width, .height = height, .channels = 3};
         for (int i = 0; i < width * height; ++i)
             image.pixels.insert(image.pixels.end(), {colour.r, colour.g, colour.b});
         ASSERT_TRUE(writePng(folder_ / name, image, PngEncoding::Raw));

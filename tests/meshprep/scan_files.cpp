@@ -1,7 +1,7 @@
 #include "tests/meshprep/scan_files.h"
 
 #include "host/support/file.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <cstdlib>
 
@@ -15,7 +15,7 @@ fs::path unpacked(const fs::path& packed, const std::string& name, const std::st
     const fs::path copy = folder / packed.filename();
     fs::copy_file(packed, copy, fs::copy_options::overwrite_existing);
     fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
-    const auto done = runProcess({.arguments = {program, "-d", "-f", copy.string()}, .environment = {}}, 60);
+    const auto done = runProcess({.arguments = {program, "-d", "-f", copy.string()}}, 60);
     return done && done->exitCode == 0 ? folder / name : fs::path();
 }
 

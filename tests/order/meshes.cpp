@@ -30,12 +30,12 @@ std::optional<Mesh> generated(const std::string& what) {
 
 /// The triangles between places, in the order of the file.
 Triangles weld(Mesh mesh, const std::string& name) {
-    prep::Surface surface{.mesh = std::move(mesh), .point = {}};
+    prep::Surface surface{.mesh = std::move(mesh)};
     prep::findPlaces(surface, {});
     prep::dropCollapsed(surface);
     for (std::uint32_t& index : surface.mesh.indices)
         index = surface.point[index];
-    Triangles out{.name = name, .positions = {}, .indices = {}};
+    Triangles out{.name = name};
     std::vector<std::uint32_t> number(surface.pointCount, ~0u);
     std::vector<glm::vec3> places(surface.pointCount);
     for (std::size_t v = 0; v < surface.point.size(); ++v)
@@ -76,7 +76,7 @@ Triangles shuffled(const Triangles& mesh, std::uint32_t seed) {
     std::iota(faceFrom.begin(), faceFrom.end(), 0u);
     std::ranges::shuffle(vertexTo, random);
     std::ranges::shuffle(faceFrom, random);
-    Triangles out{.name = mesh.name, .positions = std::vector<glm::vec3>(mesh.positions.size()), .indices = {}};
+    Triangles out{.name = mesh.name, .positions = std::vector<glm::vec3>(mesh.positions.size())};
     for (std::size_t v = 0; v < vertexTo.size(); ++v)
         out.positions[vertexTo[v]] = mesh.positions[v];
     for (const std::uint32_t f : faceFrom) {

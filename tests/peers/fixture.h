@@ -79,7 +79,7 @@ protected:
 
     /// A colour map that is black on the left, or on the lower half, and white on the other; four texels the other way.
     static std::string edgeMap(bool leftRight) {
-        Image image{.width = leftRight ? kEdgeMap : 4, .height = leftRight ? 4 : kEdgeMap, .channels = 3, .pixels = {}};
+        Image image{.width = leftRight ? kEdgeMap : 4, .height = leftRight ? 4 : kEdgeMap, .channels = 3};
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
                 image.pixels.insert(image.pixels.end(), 3, (leftRight ? x >= kEdgeMap / 2 : y < kEdgeMap / 2) ? 1.0F : 0.0F);
@@ -101,8 +101,7 @@ protected:
         const auto effect = loadEffect(std::string("effects/") + (std::string(peer.effect) == "Main" ? "" : "peers/") + peer.effect + ".fx",
                                        {.defines = {{"TEGUMENT_SETTING", setting},
                                                     {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)},
-                                                    {"TEGUMENT_PEERS_AS_PRINTED", printed ? "1" : "0"}},
-                                        .includeFolders = {}});
+                                                    {"TEGUMENT_PEERS_AS_PRINTED", printed ? "1" : "0"}}});
         if (!effect) return effect.error();
         options.technique = peer.name;
         return runEffect(*device_, *effect, &mesh, scene, options);

@@ -26,7 +26,7 @@ inline std::vector<Variant> peerForms() {
 inline void expectEveryPeerPasses(const std::vector<Target>& targets) {
     const auto files = peerFiles();
     ASSERT_GE(files.size(), 4U) << "run from the repository's root";
-    const CheckReport report = checkEffects(files, targets, {.variants = peerForms(), .includeFolders = {}});
+    const CheckReport report = checkEffects(files, targets, {.variants = peerForms()});
     EXPECT_EQ(report.files.size(), peerForms().size() * files.size());
     for (const FileReport& file : report.files)
         for (const TargetCheck& target : file.targets) {

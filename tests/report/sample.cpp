@@ -16,7 +16,7 @@ constexpr int kSide = 48;
 constexpr double kError = 0.02; // of one pixel, (30, 20); elsewhere there is a hundredth of it
 
 Image ball(double error) {
-    Image image{.width = kSide, .height = kSide, .channels = 3, .pixels = {}, .metadata = {}};
+    Image image{.width = kSide, .height = kSide, .channels = 3};
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x)
             for (const double tint : {0.9, 0.6, 0.45}) {

@@ -26,7 +26,7 @@ class MadeAhead : public Run {
 protected:
     void SetUp() override {
         Run::SetUp();
-        auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+        auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
         ASSERT_TRUE(succeeded(effect));
         effect_ = std::make_unique<Effect>(std::move(*effect));
         mesh_ = sphere();
@@ -35,7 +35,7 @@ protected:
         options_.compiling = [this](std::size_t, std::size_t) { ++compiled_; };
     }
 
-    [[nodiscard]] SessionScene scene() const { return {.mesh = &mesh_, .objects = {}}; }
+    [[nodiscard]] SessionScene scene() const { return {.mesh = &mesh_}; }
 
     std::vector<float> pixels(EffectSession& session, const std::string& target = {}) {
         const auto image = run::readBack(*device_, *session.target(target));
@@ -206,7 +206,7 @@ protected:
         options_.assets.make = [this](const std::string&, const Mesh&) -> Result<std::filesystem::path> {
             ++asked_;
             if (!std::filesystem::exists(folder_ / "map.png")) {
-                const Image image{.width = 1, .height = 1, .channels = 3, .pixels = {0.5F, 0.5F, 0.5F}, .metadata = {}};
+                const Image image{.width = 1, .height = 1, .channels = 3, .pixels = {0.5F, 0.5F, 0.5F}};
                 if (auto written = writePng(folder_ / "map.png", image, PngEncoding::Raw); !written) return written.error();
             }
             return folder_ / "map.png";
@@ -227,23 +227,23 @@ protected:
 };
 
 TEST_F(MadeOfAMesh, is_asked_for_once_by_all_frames_of_sessions_that_follow_each_other_and_anew_where_it_is_gone) {
-    EffectSession session(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    EffectSession session(*device_, *effect_, {.mesh = &mesh_});
     for (int i = 0; i < 3; ++i)
         ASSERT_TRUE(succeeded(session.draw({}, options_)));
     EXPECT_EQ(asked_, 1) << "who makes it looks at all of the mesh first";
-    EffectSession next(*device_, *effect_, {.mesh = &mesh_, .objects = {}}, &session);
+    EffectSession next(*device_, *effect_, {.mesh = &mesh_}, &session);
     ASSERT_TRUE(succeeded(next.draw({}, options_)));
     EXPECT_EQ(asked_, 1);
     next.bakeAgain("gMadeMap");
     ASSERT_TRUE(succeeded(next.draw({}, options_)));
     EXPECT_EQ(asked_, 2);
-    EffectSession other(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    EffectSession other(*device_, *effect_, {.mesh = &mesh_});
     ASSERT_TRUE(succeeded(other.draw({}, options_)));
     EXPECT_EQ(asked_, 3);
 }
 
 TEST_F(MadeOfAMesh, says_how_long_it_took_to_whoever_finds_it_later) {
-    EffectSession first(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    EffectSession first(*device_, *effect_, {.mesh = &mesh_});
     const auto made = first.draw({}, options_);
     ASSERT_TRUE(succeeded(made));
     const auto bake = made->textures.front().bake;
@@ -251,12 +251,12 @@ TEST_F(MadeOfAMesh, says_how_long_it_took_to_whoever_finds_it_later) {
     EXPECT_FALSE(bake->fromCache);
     EXPECT_EQ(bake->once, 0);
     const std::string noted = *readFile(folder_ / "map.png.ms");
-    EffectSession second(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    EffectSession second(*device_, *effect_, {.mesh = &mesh_});
     ASSERT_TRUE(succeeded(second.draw({}, options_)));
     EXPECT_EQ(*readFile(folder_ / "map.png.ms"), noted) << "who finds it at once has not made it";
     std::filesystem::last_write_time(folder_ / "map.png", std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
     const auto found = [&] {
-        EffectSession later(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+        EffectSession later(*device_, *effect_, {.mesh = &mesh_});
         const auto frame = later.draw({}, options_);
         EXPECT_TRUE(succeeded(frame));
         EXPECT_TRUE(frame->textures.front().bake->fromCache);
@@ -272,7 +272,7 @@ TEST_F(MadeOfAMesh, says_how_long_it_took_to_whoever_finds_it_later) {
 TEST_F(MadeOfAMesh, is_held_against_the_mesh_once_where_it_is_given) {
     ASSERT_TRUE(succeeded(options_.assets.make("", mesh_)));
     options_.textures["gMadeMap"] = (folder_ / "map.png").string();
-    EffectSession session(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    EffectSession session(*device_, *effect_, {.mesh = &mesh_});
     for (int i = 0; i < 3; ++i)
         ASSERT_TRUE(succeeded(session.draw({}, options_)));
     EXPECT_EQ(checked_, 1);
@@ -284,9 +284,9 @@ class OfFewerTexels : public Run {};
 TEST_F(OfFewerTexels, a_picture_with_half_of_a_body_in_shadow_is_as_bright_as_the_whole_one) {
     const Mesh mesh = sphere();
     const auto mean = [&](const char* side, int pixels, int samples, const glm::vec3& light) {
-        const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", side}}, .includeFolders = {}});
+        const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", side}}});
         EXPECT_TRUE(succeeded(effect));
-        EffectSession session(*device_, *effect, {.mesh = &mesh, .objects = {}});
+        EffectSession session(*device_, *effect, {.mesh = &mesh});
         Workspace workspace = closeUp();
         workspace.light.position = light;
         const RunOptions options{

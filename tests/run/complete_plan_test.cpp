@@ -14,7 +14,7 @@ protected:
     Completing() {
         pass_.name = "P";
         pass_.state.depthTest = false;
-        uses_[&pass_] = {.sampled = {}, .writtenColors = 1};
+        uses_[&pass_] = {.writtenColors = 1};
     }
 
     DrawStep& draw(std::vector<std::optional<std::string>> colors, std::optional<std::string> depth = std::nullopt) {
@@ -200,7 +200,7 @@ TEST_F(Completing, drawing_with_nothing_bound_is_an_error) {
 
 /// All that the annotation promises, and that the host sees for itself.
 TEST_F(Completing, a_target_that_a_full_screen_pass_overwrites_is_not_cleared_before) {
-    pass_.annotations.list.push_back({.name = "CoversTarget", .type = {}, .value = std::vector<double>{1}, .at = {}, .pieces = {}});
+    pass_.annotations.list.push_back({.name = "CoversTarget", .value = std::vector<double>{1}});
     draw({"gSmall"}).kind = DrawKind::Buffer;
     ASSERT_TRUE(test::succeeded(complete()));
     EXPECT_TRUE(steps<ClearStep>().empty());
@@ -211,8 +211,8 @@ TEST_F(Completing, a_target_is_cleared_before_a_pass_that_may_leave_pixels_out) 
         pass_ = {};
         pass_.name = "P";
         pass_.state.depthTest = false;
-        pass_.annotations.list.push_back({.name = "CoversTarget", .type = {}, .value = std::vector<double>{1}, .at = {}, .pieces = {}});
-        uses_[&pass_] = {.sampled = {}, .writtenColors = 1};
+        pass_.annotations.list.push_back({.name = "CoversTarget", .value = std::vector<double>{1}});
+        uses_[&pass_] = {.writtenColors = 1};
         plan_ = {};
         DrawStep& step = draw({"gSmall"});
         step.kind = DrawKind::Buffer;

@@ -129,11 +129,11 @@ protected:
 
     /// Face n has the value n in red, level m the value m in green.
     std::string sky(DdsFormat format, int mips) const {
-        DdsTexture cube{.format = format, .faces = 6, .mips = mips, .images = {}};
+        DdsTexture cube{.format = format, .faces = 6, .mips = mips};
         for (int face = 0; face < 6; ++face)
             for (int mip = 0; mip < mips; ++mip) {
                 const int side = 4 >> mip;
-                Image image{.width = side, .height = side, .channels = 4, .pixels = {}};
+                Image image{.width = side, .height = side, .channels = 4};
                 for (int i = 0; i < side * side; ++i)
                     image.pixels.insert(image.pixels.end(), {static_cast<float>(face) / 5, static_cast<float>(mip), 0, 1});
                 cube.images.push_back(std::move(image));
@@ -201,7 +201,7 @@ TEST_F(CubeMaps, a_cube_map_is_no_texture2d) {
 }
 
 TEST_F(CubeMaps, a_flat_dds_file_brings_its_mip_levels) {
-    DdsTexture flat{.format = DdsFormat::Rgba32F, .faces = 1, .mips = 2, .images = {}};
+    DdsTexture flat{.format = DdsFormat::Rgba32F, .faces = 1, .mips = 2};
     flat.images.push_back({.width = 2, .height = 2, .channels = 4, .pixels = std::vector<float>(16, 0.25F)});
     flat.images.push_back({.width = 1, .height = 1, .channels = 4, .pixels = std::vector<float>(4, 0.75F)}); // no mean of the first
     const fs::path path = folder_ / "levels.dds";

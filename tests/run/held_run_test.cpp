@@ -24,7 +24,7 @@ protected:
         ASSERT_TRUE(succeeded(effect));
         effect_ = std::make_unique<Effect>(std::move(*effect));
         mesh_ = sphere();
-        session_ = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}});
+        session_ = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_});
     }
 
     /// The passes that were drawn.
@@ -41,7 +41,7 @@ protected:
 
     /// Every target of the session beside those of one that has drawn nothing before.
     testing::AssertionResult isAsDrawnAnew(const Workspace& workspace, const RunOptions& options, std::size_t passes = kAllPasses) {
-        EffectSession anew(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}});
+        EffectSession anew(*device_, *effect_, SessionScene{.mesh = &mesh_});
         const auto frame = anew.draw(workspace, options, passes);
         if (!frame) return testing::AssertionFailure() << format(frame.error());
         HeldNames names = frame->targets;
@@ -136,9 +136,9 @@ TEST_F(Held, a_frame_that_draws_all_is_no_ground_to_keep_anything) {
 TEST_F(Held, an_edit_draws_the_passes_that_it_changes) {
     load(kFixtures / "held.fx");
     (void)drawn({}, chain({}));
-    auto edited = std::make_unique<Effect>(*loadEffect(kFixtures / "held.fx", {.defines = {{"HELD_SHOWN", "3.0"}}, .includeFolders = {}}));
+    auto edited = std::make_unique<Effect>(*loadEffect(kFixtures / "held.fx", {.defines = {{"HELD_SHOWN", "3.0"}}}));
     auto before = std::move(session_);
-    session_ = std::make_unique<EffectSession>(*device_, *edited, SessionScene{.mesh = &mesh_, .objects = {}}, before.get());
+    session_ = std::make_unique<EffectSession>(*device_, *edited, SessionScene{.mesh = &mesh_}, before.get());
     EXPECT_EQ(drawn({}, chain({})), HeldNames{"Shown"});
     before.reset();
     effect_.swap(edited);
@@ -151,7 +151,7 @@ TEST_F(Held, an_edit_that_cannot_be_drawn_leaves_the_session_before_as_it_was) {
     load(kFixtures / "held.fx");
     (void)drawn({}, chain({}));
     {
-        EffectSession next(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}}, session_.get());
+        EffectSession next(*device_, *effect_, SessionScene{.mesh = &mesh_}, session_.get());
         RunOptions wrong = chain({});
         wrong.dump = {"gNoMap"};
         EXPECT_EQ(code(next.draw({}, wrong)), 4029);
@@ -163,7 +163,7 @@ TEST_F(Held, an_edit_that_cannot_be_drawn_leaves_the_session_before_as_it_was) {
 TEST_F(Held, sessions_side_by_side_share_targets_until_either_draws_into_them) {
     load(kFixtures / "held.fx");
     (void)drawn({}, chain({}));
-    auto other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}}, session_.get());
+    auto other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_}, session_.get());
     const auto bytes = device_->allocatedBytes();
     session_.swap(other);
     EXPECT_EQ(drawn({}, chain({})), HeldNames{}) << "all is there";
@@ -222,18 +222,17 @@ void walk(const std::function<void(const HeldChange&, int)>& check, const HeldNa
 
 /// Two sessions of one effect, or of two: whatever either draws, in pieces that are given up, too, both are right.
 TEST_F(Held, sessions_that_share_have_the_same_bits_through_changes_of_all_kinds) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     std::mt19937 random(5);
     HeldChange one;
     one.options.technique = "DEonLuebke";
     HeldChange two = one;
     (void)drawn(one.workspace, one.options);
-    auto other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}}, session_.get());
+    auto other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_}, session_.get());
     for (int i = 0; i < 16; ++i) {
         std::swap(one, two);
         session_.swap(other);
-        if (i % 5 == 4)
-            other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}}, session_.get());
+        if (i % 5 == 4) other = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_}, session_.get());
         one.step(random, {"DEonLuebke", "Lambert", "Gosselin"});
         RunOptions pieces = one.options;
         pieces.keepUnchanged = true;
@@ -245,7 +244,7 @@ TEST_F(Held, sessions_that_share_have_the_same_bits_through_changes_of_all_kinds
 }
 
 TEST_F(Held, main_has_the_same_bits_through_changes_of_all_kinds) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     std::size_t kept = 0;
     const auto check = [&](const HeldChange& change, int i) {
         const HeldNames names = drawn(change.workspace, change.options, change.passes);
@@ -257,7 +256,7 @@ TEST_F(Held, main_has_the_same_bits_through_changes_of_all_kinds) {
 }
 
 TEST_F(Held, the_camera_alone_leaves_the_skin_s_maps_as_they_are) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     Workspace workspace = closeUp();
     const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler()};
     EXPECT_EQ(drawn(workspace, options).size(), 13U);
@@ -280,7 +279,7 @@ RunOptions inPieces(RunOptions options, int most, const SessionFrame& whole) {
 TEST_F(Held, a_frame_in_pieces_has_the_same_bits) {
     constexpr int kAll = 1000;
     for (const int samples : {1, 4}) {
-        load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "256"}}, .includeFolders = {}});
+        load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "256"}}});
         Workspace workspace = closeUp();
         RunOptions options{.technique = "DEonLuebke",
                            .width = 200,
@@ -299,7 +298,7 @@ TEST_F(Held, a_frame_in_pieces_has_the_same_bits) {
 }
 
 TEST_F(Held, what_was_given_up_anywhere_is_drawn_right_the_next_time) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "128"}}});
     const RunOptions options{.technique = "DEonLuebke", .width = 72, .height = 72, .compiler = defaultCompiler(), .keepUnchanged = true};
     Workspace workspace = closeUp();
     const auto whole = session_->draw(workspace, options);
@@ -320,7 +319,7 @@ TEST_F(Held, what_was_given_up_anywhere_is_drawn_right_the_next_time) {
 }
 
 TEST_F(Held, what_was_given_up_keeps_what_it_did_not_touch_and_what_it_finished) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     const RunOptions options{.technique = "DEonLuebke", .width = 136, .height = 136, .compiler = defaultCompiler(), .keepUnchanged = true};
     Workspace workspace = closeUp();
     const auto whole = session_->draw(workspace, options);
@@ -344,7 +343,7 @@ std::vector<std::uint32_t> halfOf(const Mesh& mesh) {
 }
 
 TEST_F(Held, fewer_triangles_change_the_picture_alone_or_everything_as_asked) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler()};
     const Workspace workspace = closeUp();
     (void)drawn(workspace, options);
@@ -363,7 +362,7 @@ TEST_F(Held, fewer_triangles_change_the_picture_alone_or_everything_as_asked) {
 }
 
 TEST_F(Held, a_texture_that_another_effect_draws_is_baked_again_alone) {
-    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler(), .keepUnchanged = true};
     const auto first = session_->draw(closeUp(), options);
     ASSERT_TRUE(succeeded(first));

@@ -44,8 +44,7 @@ std::set<std::pair<std::string, ShaderStage>> entryPoints(const Effect& effect) 
 
 void compare(const Effect& effect, const std::string& entry, ShaderStage stage) {
     SCOPED_TRACE(entry);
-    const ShaderRequest request{
-        .code = effect.code, .file = effect.file.string(), .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    const ShaderRequest request{.code = effect.code, .file = effect.file.string(), .entry = entry, .stage = stage};
     const auto dxc = compileShader(request, Compiler::Dxc);
     const auto glslang = compileShader(request, Compiler::Glslang);
     ASSERT_TRUE(dxc) << format(dxc.error());
@@ -64,7 +63,7 @@ TEST_P(EffectLayouts, are_the_same_from_both_compilers_in_every_setting) {
     if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     for (const char* setting : {"0", "1", "2"}) {
         SCOPED_TRACE(setting);
-        const auto effect = loadEffect(GetParam(), {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});
+        const auto effect = loadEffect(GetParam(), {.defines = {{"TEGUMENT_SETTING", setting}}});
         ASSERT_TRUE(effect) << format(effect.error());
         for (const auto& [entry, stage] : entryPoints(*effect))
             compare(*effect, entry, stage);
@@ -75,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, EffectLayouts, testing::ValuesIn(effectFiles()
                          [](const auto& entry) { return fs::path(entry.param).stem().string(); });
 
 Parameter parameter(BaseType base, int rows, int columns, int elements, const std::string& type) {
-    return {.name = "gValue", .type = {.base = base, .rows = rows, .columns = columns, .elements = elements, .name = type}, .semantic = {}};
+    return {.name = "gValue", .type = {.base = base, .rows = rows, .columns = columns, .elements = elements, .name = type}};
 }
 
 template <class T>
@@ -136,11 +135,11 @@ TEST(Pack, a_member_of_another_shape_than_the_parameter_is_an_error) {
 
 Annotation number(const std::string& name, std::vector<double> values) {
     const auto count = static_cast<int>(values.size());
-    return {.name = name, .type = {.base = BaseType::Float, .columns = count, .name = "float"}, .value = std::move(values), .at = {}};
+    return {.name = name, .type = {.base = BaseType::Float, .columns = count, .name = "float"}, .value = std::move(values)};
 }
 
 Annotation text(const std::string& name, const std::string& value) {
-    return {.name = name, .type = {.base = BaseType::String, .name = "string"}, .value = value, .at = {}};
+    return {.name = name, .type = {.base = BaseType::String, .name = "string"}, .value = value};
 }
 
 Parameter target(std::vector<Annotation> annotations, const std::string& semantic = "RENDERCOLORTARGET") {

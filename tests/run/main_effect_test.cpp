@@ -24,8 +24,7 @@ protected:
 
     Result<RunResult> renderView(const Workspace& view, RunOptions options, const std::string& setting = "2", int mapSize = 128) {
         const auto effect =
-            loadEffect("effects/Main.fx",
-                       {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}, .includeFolders = {}});
+            loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}});
         if (!effect) return effect.error();
         const Mesh mesh = sphere();
         options.width = kPicture;
@@ -180,8 +179,7 @@ protected:
     }
 
     Result<RunResult> draw(const std::string& technique, int mapSize, double coarse, int samples = 1) {
-        const auto effect =
-            loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}, .includeFolders = {}});
+        const auto effect = loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}});
         if (!effect) return effect.error();
         const Mesh mesh = sphere();
         return runEffect(*device_, *effect, &mesh, closeUp(),
@@ -213,7 +211,7 @@ TEST_P(PyramidRun, the_computed_picture_has_one_sample_a_pixel) {
 }
 
 TEST_P(PyramidRun, under_light_that_stands_still_the_light_of_the_picture_before_serves_another_camera) {
-    const auto effect = loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    const auto effect = loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     ASSERT_TRUE(succeeded(effect));
     const Mesh mesh = sphere();
     Workspace moved = closeUp();
@@ -227,7 +225,7 @@ TEST_P(PyramidRun, under_light_that_stands_still_the_light_of_the_picture_before
                               .parameters = {{"gRelight", {relight}}},
                               .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}};
         };
-        EffectSession session(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+        EffectSession session(*device_, *effect, SessionScene{.mesh = &mesh});
         ASSERT_TRUE(succeeded(session.draw(closeUp(), options(1))));
         const auto rest = session.draw(moved, options(0));
         ASSERT_TRUE(succeeded(rest));

@@ -184,7 +184,7 @@ ExpectedTechnique gosselin() {
 
 /// What each pass of a technique reads in one setting.
 Result<std::map<std::string, ExpectedPass>> readPasses(const std::string& technique, const std::string& setting) {
-    const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});
+    const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_SETTING", setting}}});
     if (!effect) return effect.error();
     std::map<std::string, ExpectedPass> found;
     for (const Pass& pass : effect->findTechnique(technique)->passes) {

@@ -95,7 +95,7 @@ TEST_F(Products, another_effect_draws_a_texture) {
 }
 
 TEST_F(Products, the_producing_effect_gets_the_same_definitions) {
-    const auto result = once("Product", {}, {.defines = {{"GREEN", "0.25"}}, .includeFolders = {}});
+    const auto result = once("Product", {}, {.defines = {{"GREEN", "0.25"}}});
     ASSERT_TRUE(succeeded(result));
     EXPECT_EQ(result->image.at(0, 0, 3), 0.25F);
 }

@@ -135,7 +135,7 @@ TEST_F(Sampled, frames_cut_short_are_resolved_too) {
     const Mesh mesh = slanted();
     const auto effect = loadEffect(kFixtures / "mesh.fx");
     ASSERT_TRUE(succeeded(effect));
-    EffectSession session(*device_, *effect, {.mesh = &mesh, .objects = {}});
+    EffectSession session(*device_, *effect, {.mesh = &mesh});
     ASSERT_TRUE(succeeded(session.draw(closeUp(), options(4, 16))));
     Workspace lit = closeUp();
     lit.background = {0.25F, 0.5F, 0.75F};
@@ -152,7 +152,7 @@ TEST_F(Sampled, a_session_changes_its_number_of_samples) {
     const Mesh mesh = slanted();
     const auto effect = loadEffect(kFixtures / "mesh.fx");
     ASSERT_TRUE(succeeded(effect));
-    EffectSession session(*device_, *effect, {.mesh = &mesh, .objects = {}});
+    EffectSession session(*device_, *effect, {.mesh = &mesh});
     std::vector<std::vector<std::byte>> pictures;
     for (const int samples : {1, 4, 1}) {
         ASSERT_TRUE(succeeded(session.draw(closeUp(), options(samples, 16)))) << samples;
@@ -166,8 +166,8 @@ TEST_F(Sampled, a_session_changes_its_number_of_samples) {
 
 TEST_F(Sampled, targets_of_the_effect_stay_as_they_are) {
     const auto dumped = [this](int samples) {
-        RunOptions options{.technique = {}, .width = 24, .height = 24, .samples = samples, .compiler = defaultCompiler(), .dump = {"all"}};
-        const auto effect = loadEffect("effects/ShadowMap.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+        RunOptions options{.width = 24, .height = 24, .samples = samples, .compiler = defaultCompiler(), .dump = {"all"}};
+        const auto effect = loadEffect("effects/ShadowMap.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
         EXPECT_TRUE(succeeded(effect));
         const Mesh mesh = slanted();
         return runEffect(*device_, *effect, &mesh, closeUp(), options);

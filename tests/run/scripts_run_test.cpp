@@ -243,8 +243,7 @@ TEST_F(Scripts, pictures_say_how_they_were_made) {
 }
 
 TEST_F(Scripts, pictures_say_what_the_effect_wants_said) {
-    const auto result =
-        run("product.fx", row(4, ""), nullptr, {}, {.defines = {{"GREEN", "0.25"}}, .includeFolders = {}, .setting = "loud"});
+    const auto result = run("product.fx", row(4, ""), nullptr, {}, {.defines = {{"GREEN", "0.25"}}, .setting = "loud"});
     ASSERT_TRUE(succeeded(result));
     const auto& metadata = result->image.metadata;
     EXPECT_EQ(metadata.at("setting"), "loud");

@@ -278,7 +278,7 @@ TEST_F(ValueSources, a_unit_that_the_world_does_not_have_is_warned_of) {
 }
 
 std::vector<double> defaultOf(const char* name, const char* setting, const char* file = "effects/Main.fx") {
-    const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});
+    const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_SETTING", setting}}});
     if (!effect) {
         ADD_FAILURE() << format(effect.error());
         return {};
@@ -303,7 +303,7 @@ using Defaults = std::map<std::pair<std::string, std::string>, std::set<std::str
 void addDefaults(const std::filesystem::path& file, Defaults& defaults) {
     const std::vector<std::pair<std::string, std::string>> defines = {
         {"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_LOBES", "1"}, {"TEGUMENT_MOTION", "1"}, {"TEGUMENT_FUR_POSE", "1"}};
-    const auto effect = loadEffect(file, {.defines = defines, .includeFolders = {}});
+    const auto effect = loadEffect(file, {.defines = defines});
     ASSERT_TRUE(effect) << format(effect.error());
     const auto note = [&](const Parameter& parameter, const char* what, const std::vector<double>& numbers) {
         defaults[{parameter.name, fmt::format("{}{:.7g}", what, fmt::join(numbers, " "))}].insert(file.stem().string());

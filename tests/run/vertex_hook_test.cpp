@@ -90,7 +90,7 @@ protected:
     }
 
     Result<RunResult> draw(const fs::path& file, const Drawn& drawn, const std::map<std::string, std::vector<double>>& parameters) {
-        const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
+        const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_MAP_SIZE", "128"}}});
         if (!effect) return effect.error();
         RunOptions options{.technique = drawn.technique, .width = kHookPicture, .height = kHookPicture, .compiler = defaultCompiler()};
         for (const auto& [name, value] : parameters)
@@ -201,7 +201,7 @@ TEST(VertexHookIsAsked, by_every_pass_that_draws_the_mesh) {
     const EffectsCopy copy;
     std::set<std::string> asked; // vertex shaders, by effect
     for (const std::string& file : allEffects()) {
-        const auto effect = loadEffect(copy.put(kProbe, file), {.defines = {{"TEGUMENT_SHADOW_FROM_TSM", "0"}}, .includeFolders = {}});
+        const auto effect = loadEffect(copy.put(kProbe, file), {.defines = {{"TEGUMENT_SHADOW_FROM_TSM", "0"}}});
         ASSERT_TRUE(succeeded(effect)) << file;
         for (const Technique& technique : effect->techniques)
             for (const Pass& pass : technique.passes) {

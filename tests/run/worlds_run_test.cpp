@@ -37,7 +37,7 @@ protected:
     Result<RunResult> draw(const Picture& picture, const Mesh& mesh, const Placement& placement, const Workspace& workspace = lit(),
                            const std::string& setting = "2") {
         const auto effect = loadEffect(std::filesystem::path("effects") / picture.effect,
-                                       {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
+                                       {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", "128"}}});
         if (!effect) return effect.error();
         const RunObject object{.mesh = &mesh, .workspace = workspace, .placement = placement};
         return runScene(*device_, *effect, std::span(&object, 1), workspace,
@@ -196,9 +196,9 @@ Mesh hostileSheet() {
 class HostileLight : public Run {
 protected:
     Result<RunResult> draw(const Picture& picture, const Mesh& mesh, const std::string& bits, const std::string& setting, double light) {
-        const auto effect = loadEffect(
-            std::filesystem::path("effects") / picture.effect,
-            {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", "128"}, {"TEGUMENT_MAP_BITS", bits}}, .includeFolders = {}});
+        const auto effect =
+            loadEffect(std::filesystem::path("effects") / picture.effect,
+                       {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", "128"}, {"TEGUMENT_MAP_BITS", bits}}});
         if (!effect) return effect.error();
         return runEffect(*device_, *effect, &mesh, lit(),
                          {.technique = picture.technique,

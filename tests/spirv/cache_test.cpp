@@ -1,8 +1,11 @@
 #include "tests/spirv/support.h"
 
 #include "host/spirv/cache.h"
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "tests/spirv/missing.h"
+
+#include <utility>
 
 namespace tegument::test {
 namespace {
@@ -33,8 +36,7 @@ protected:
     [[nodiscard]] std::string onlyEntry() const {
         const auto all = entries();
         EXPECT_EQ(all.size(), 1U);
-        const auto bytes = all.empty() ? Result<std::string>(std::string()) : readFile(all[0]);
-        return bytes ? *bytes : std::string();
+        return all.empty() ? std::string() : loadCached(fs::path("spirv") / all[0].filename()).value_or("");
     }
 };
 
@@ -59,36 +61,25 @@ TEST_F(Cache, a_file_cut_short_anywhere_is_a_miss) {
     const std::string bytes = onlyEntry();
     for (std::size_t length = 0; length < bytes.size(); ++length)
         ASSERT_FALSE(decodeShader(std::string_view(bytes).substr(0, length))) << length;
-    ASSERT_TRUE(writeFile(entries()[0], bytes.substr(0, bytes.size() / 2)));
+    const std::string file = *readFile(entries()[0]);
+    ASSERT_TRUE(writeFile(entries()[0], file.substr(0, file.size() / 2)));
     expectSame(compile(), fresh);
 }
 
 TEST_F(Cache, a_changed_byte_behind_a_right_checksum_is_a_miss_or_means_what_it_says) {
     (void)compile();
-    const std::string bytes = onlyEntry();
-    constexpr std::size_t kContent = 8 + 32; // behind the magic and the checksum
+    std::string bytes = onlyEntry();
     std::size_t misses = 0;
-    for (std::size_t at = kContent; at < bytes.size(); ++at) {
-        std::string content = bytes.substr(kContent);
-        content[at - kContent] = static_cast<char>(content[at - kContent] ^ 16); // no truth value, a length beyond the end, another letter
-        const std::string file = bytes.substr(0, 8) + contentHash(content) + content;
-        const auto cached = decodeShader(file);
+    for (char& byte : bytes) {
+        const char was = std::exchange(byte, static_cast<char>(byte ^ 16)); // no truth value, a length beyond the end, another letter
+        const auto cached = decodeShader(bytes);
         misses += cached ? 0 : 1;
         if (cached) {
-            ASSERT_EQ(encodeShader(*cached), file) << at;
+            ASSERT_EQ(encodeShader(*cached), bytes) << &byte - bytes.data();
         }
+        byte = was;
     }
     EXPECT_GT(misses, 0U);
-}
-
-TEST_F(Cache, a_changed_byte_anywhere_is_a_miss) {
-    const Shader fresh = compile();
-    const std::string bytes = onlyEntry();
-    for (std::size_t at = 0; at < bytes.size(); ++at) {
-        std::string changed = bytes;
-        changed[at] = static_cast<char>(changed[at] ^ 0x10);
-        ASSERT_FALSE(decodeShader(changed)) << at;
-    }
 }
 
 TEST_F(Cache, a_damaged_file_is_replaced_by_a_good_one) {
@@ -123,17 +114,15 @@ TEST_F(Cache, a_changed_include_is_compiled_anew) {
 }
 
 TEST_F(Cache, errors_are_not_cached) {
-    EXPECT_FALSE(
-        compileShader({.code = "nonsense", .file = "test.fx", .entry = "PS", .defines = {}, .includeFolders = {}}, Compiler::Glslang));
+    EXPECT_FALSE(compileShader({.code = "nonsense", .file = "test.fx", .entry = "PS"}, Compiler::Glslang));
     EXPECT_TRUE(entries().empty());
 }
 
 TEST_F(Cache, both_compilers_have_entries_of_their_own) {
     if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     (void)compile();
-    ASSERT_TRUE(compileShader(
-        {.code = kCode, .file = "test.fx", .entry = "PS", .stage = ShaderStage::Pixel, .defines = {}, .includeFolders = {folder()}},
-        Compiler::Dxc));
+    ASSERT_TRUE(compileShader({.code = kCode, .file = "test.fx", .entry = "PS", .stage = ShaderStage::Pixel, .includeFolders = {folder()}},
+                              Compiler::Dxc));
     EXPECT_EQ(entries().size(), 2U);
 }
 

@@ -213,12 +213,9 @@ TEST_P(Compile, a_struct_among_the_parameters_is_refused_with_its_name) {
 }
 
 TEST_P(Compile, defines_of_the_request_reach_the_code) {
-    const auto shader = compileShader({.code = "float4 PS() : SV_Target { return VALUE + FX_ENTRY; }",
-                                       .file = "test.fx",
-                                       .entry = "PS",
-                                       .defines = {{"VALUE", "3.0"}},
-                                       .includeFolders = {}},
-                                      GetParam());
+    const auto shader = compileShader(
+        {.code = "float4 PS() : SV_Target { return VALUE + FX_ENTRY; }", .file = "test.fx", .entry = "PS", .defines = {{"VALUE", "3.0"}}},
+        GetParam());
     EXPECT_TRUE(shader) << format(shader.error());
 }
 
@@ -228,7 +225,6 @@ TEST_P(Compile, includes_are_found_beside_the_including_file_and_in_the_folders)
     const auto shader = compileShader({.code = "#include \"inner/a.fxh\"\nfloat4 PS() : SV_Target { return kValue; }",
                                        .file = "test.fx",
                                        .entry = "PS",
-                                       .defines = {},
                                        .includeFolders = {folder() / "lib"}},
                                       GetParam());
     EXPECT_TRUE(shader) << format(shader.error());
@@ -240,7 +236,6 @@ TEST_P(Compile, errors_in_includes_name_the_included_file) {
     const auto shader = compileShader({.code = "#include \"broken.fxh\"\nfloat4 PS() : SV_Target { return broken(); }",
                                        .file = "test.fx",
                                        .entry = "PS",
-                                       .defines = {},
                                        .includeFolders = {folder()}},
                                       GetParam());
     ASSERT_FALSE(shader);
@@ -273,13 +268,7 @@ TEST(Compilers, glslang_is_always_there_and_dxc_comes_first_when_it_is) {
 }
 
 ShaderRequest foreignPixel(std::string_view code) {
-    return {.code = code,
-            .file = "main.fx",
-            .entry = "PS",
-            .stage = ShaderStage::Pixel,
-            .defines = {},
-            .includeFolders = {},
-            .language2018 = true};
+    return {.code = code, .file = "main.fx", .entry = "PS", .stage = ShaderStage::Pixel, .language2018 = true};
 }
 
 TEST(ForeignCode, that_dxc_does_not_survive_is_an_error_with_its_place) {
@@ -355,16 +344,14 @@ TEST(GlslangMessages, a_token_that_is_part_of_a_word_is_not_meant) {
 }
 
 TEST(Shortened, repeated_messages_are_shown_once) {
-    const Diagnostic one{
-        .code = 3001, .at = {.file = "x.fx", .line = 1, .column = 2, .byte = {}}, .text = "same", .hint = {}, .sourceLine = {}};
+    const Diagnostic one{.code = 3001, .at = {.file = "x.fx", .line = 1, .column = 2}, .text = "same"};
     EXPECT_EQ(shortened({one, one, one}).size(), 1U);
 }
 
 TEST(Shortened, the_rest_is_counted) {
     std::vector<Diagnostic> many;
     for (int i = 1; i <= 50; ++i)
-        many.push_back(
-            {.code = 3001, .at = {.file = "x.fx", .line = i, .column = 1, .byte = {}}, .text = "bad", .hint = {}, .sourceLine = {}});
+        many.push_back({.code = 3001, .at = {.file = "x.fx", .line = i, .column = 1}, .text = "bad"});
     const auto shown = shortened(many);
     ASSERT_EQ(shown.size(), kShownMessages + 1);
     EXPECT_EQ(shown.back().text, "and 30 more");

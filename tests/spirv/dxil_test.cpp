@@ -22,7 +22,7 @@ Texture2D gInMap; SamplerState gIn;
 )";
 
 ShaderRequest request(std::string_view code, const char* entry, ShaderStage stage) {
-    return {.code = code, .file = "dxil.fx", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    return {.code = code, .file = "dxil.fx", .entry = entry, .stage = stage};
 }
 
 SignatureElement element(const std::vector<SignatureElement>& signature, std::string_view semantic) {

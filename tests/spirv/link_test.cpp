@@ -119,8 +119,7 @@ protected:
     }
 
     [[nodiscard]] static Shader compile(std::string_view code, ShaderStage stage, Compiler compiler) {
-        auto shader = compileShader({.code = code, .file = "test.fx", .entry = "Main", .stage = stage, .defines = {}, .includeFolders = {}},
-                                    compiler);
+        auto shader = compileShader({.code = code, .file = "test.fx", .entry = "Main", .stage = stage}, compiler);
         if (shader) return std::move(*shader);
         ADD_FAILURE() << compilerName(compiler) << ": " << format(shader.error());
         return {};
@@ -242,7 +241,7 @@ TEST(Reflect, words_that_are_no_module_are_an_error) {
 }
 
 TEST(Reflect, a_shader_whose_words_are_lost_cannot_be_linked_and_stays_as_it_is) {
-    Shader vertex{.stage = ShaderStage::Vertex, .file = "test.fx", .entry = "VS", .spirv = {}};
+    Shader vertex{.stage = ShaderStage::Vertex, .file = "test.fx", .entry = "VS"};
     vertex.reflection.outputs = {{.semantic = "TEXCOORD0", .location = 3}};
     Shader pixel{.stage = ShaderStage::Pixel, .file = "test.fx", .entry = "PS", .spirv = {1, 2, 3}};
     pixel.reflection.inputs = {{.semantic = "TEXCOORD0", .location = 0}};

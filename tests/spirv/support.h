@@ -41,8 +41,7 @@ protected:
     }
 
     [[nodiscard]] Result<Shader> tryCompile(std::string_view code, std::string entry, ShaderStage stage) const {
-        return compileShader(
-            {.code = code, .file = "test.fx", .entry = std::move(entry), .stage = stage, .defines = {}, .includeFolders = {}}, GetParam());
+        return compileShader({.code = code, .file = "test.fx", .entry = std::move(entry), .stage = stage}, GetParam());
     }
     /// Fails the test and gives an empty shader when the compiler refuses.
     [[nodiscard]] Shader compile(std::string_view code, std::string entry, ShaderStage stage) const {

@@ -1,8 +1,11 @@
 
+#include "host/support/cache.h"
 #include "host/support/file.h"
 #include "host/support/result.h"
 #include "host/support/temporary.h"
 #include "host/support/text.h"
+
+#include "tests/support/variable.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -40,6 +43,31 @@ protected:
 };
 
 } // namespace
+
+TEST_F(Files, what_is_kept_comes_back_and_a_file_cut_short_or_changed_anywhere_is_a_miss) {
+    const test::Variable cache("TEGUMENT_CACHE", folder_.string());
+    EXPECT_FALSE(loadCached("kind/name"));
+    const std::vector<double> numbers = {1.5, -0.0};
+    storeCached("kind/name", bytesOf(numbers));
+    EXPECT_EQ(loadCachedList<double>("kind/name"), numbers);
+    const std::string whole = *readFile(folder_ / "kind" / "name");
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        ASSERT_TRUE(writeFile(folder_ / "kind" / "name", whole.substr(0, at)));
+        ASSERT_FALSE(loadCached("kind/name")) << at << " bytes";
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ 16);
+        ASSERT_TRUE(writeFile(folder_ / "kind" / "name", changed));
+        ASSERT_FALSE(loadCached("kind/name")) << "byte " << at;
+    }
+}
+
+TEST(CacheKeys, keep_maker_parts_and_their_order_apart) {
+    const auto key = [](std::string_view maker, std::string_view a, std::string_view b) { return CacheKey(maker).add(a).add(b).text(); };
+    EXPECT_EQ(key("links 3", "ab", "c"), key("links 3", "ab", "c"));
+    for (const std::string& other : {key("links 4", "ab", "c"), key("links 3", "a", "bc"), key("links 3", "c", "ab")})
+        EXPECT_NE(key("links 3", "ab", "c"), other);
+    EXPECT_NE(CacheKey("").add(1).text(), CacheKey("").add(2).text());
+}
 
 TEST_F(Files, what_is_written_is_read_back_byte_for_byte) {
     const std::string bytes("a\0b\r\n\xff", 6);
@@ -231,27 +259,22 @@ TEST(Text, words_of_a_command_line_come_back_as_they_were) {
 
 TEST(Diagnostics, carry_file_line_column_code_and_hint) {
     const Diagnostic diagnostic{.code = 2004,
-                                .at = {.file = "effects/Main.fx", .line = 41, .column = 12, .byte = {}},
+                                .at = {.file = "effects/Main.fx", .line = 41, .column = 12},
                                 .text = "unknown script command 'RenderColourTarget'",
-                                .hint = "did you mean 'RenderColorTarget'?",
-                                .sourceLine = {}};
+                                .hint = "did you mean 'RenderColorTarget'?"};
     EXPECT_EQ(format(diagnostic),
               "effects/Main.fx(41,12): error TG2004: unknown script command 'RenderColourTarget'; did you mean 'RenderColorTarget'?");
 }
 
 TEST(Diagnostics, put_the_caret_under_the_column_whatever_the_tab_width) {
-    const Diagnostic diagnostic{.severity = Severity::Warning,
-                                .code = 1,
-                                .at = {.file = "a.fx", .line = 2, .column = 4, .byte = {}},
-                                .text = "x",
-                                .hint = {},
-                                .sourceLine = "\tab cd"};
+    const Diagnostic diagnostic{
+        .severity = Severity::Warning, .code = 1, .at = {.file = "a.fx", .line = 2, .column = 4}, .text = "x", .sourceLine = "\tab cd"};
     EXPECT_EQ(format(diagnostic), "a.fx(2,4): warning TG0001: x\n    \tab cd\n    \t  ^");
 }
 
 TEST(Diagnostics, print_no_bytes_that_a_terminal_would_obey) {
     Diagnostic diagnostic{.code = 1101,
-                          .at = {.file = "a.fx", .line = 1, .column = 9, .byte = {}},
+                          .at = {.file = "a.fx", .line = 1, .column = 9},
                           .text = "found '\x1b[31m'",
                           .hint = "\xe4\xff \xc0\xaf",
                           .sourceLine = "fl\xc3\xb6\x07\x7f\x80 x"};

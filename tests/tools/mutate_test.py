@@ -89,7 +89,7 @@ class Shaders(unittest.TestCase):
 
     def test_a_cached_shader_is_its_effect_entry_stage_and_code(self):
         text = lambda value: len(value).to_bytes(8, "little") + value.encode()
-        made = b"TGSPIRV1" + 32 * b"0" + b"\1\0\0\0" + text("a b.fx") + text("MainPS") + (2).to_bytes(8, "little") + b"word" + b"more" + b"rest"
+        made = 32 * b"0" + b"\1\0\0\0" + text("a b.fx") + text("MainPS") + (2).to_bytes(8, "little") + b"word" + b"more" + b"rest"
         (self.root / "one.bin").write_bytes(made)
         (self.root / "two.bin").write_bytes(made[:-4] + b"else")  # what follows the code does not count
         found = shader_tests.shaders_in(self.root)

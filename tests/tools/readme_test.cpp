@@ -50,13 +50,9 @@ TEST_P(Consumer, readme_shader_compiles_beside_a_copy_of_hlsl_alone) {
     const auto code = snippets("hlsl");
     ASSERT_EQ(code.size(), 1U);
     const fs::path file = folder_ / "mine" / "shader.hlsl";
-    const auto shader = compileShader({.code = code[0],
-                                       .file = file.string(),
-                                       .entry = "main",
-                                       .stage = ShaderStage::Pixel,
-                                       .defines = {},
-                                       .includeFolders = {folder_ / "mine"}},
-                                      GetParam());
+    const auto shader = compileShader(
+        {.code = code[0], .file = file.string(), .entry = "main", .stage = ShaderStage::Pixel, .includeFolders = {folder_ / "mine"}},
+        GetParam());
     ASSERT_TRUE(shader) << format(shader.error());
     std::set<std::string> inputs;
     for (const StageVariable& input : shader->reflection.inputs)

@@ -402,7 +402,7 @@ def names_of_the_settings_stand_in_one_place(root):
     place = root / "hlsl" / "settings.fxh"
     line = re.search(r"^#define FX_SETTINGS \w+ (.*)$", text_of(place), re.M)
     names = line[1].split() if line else []
-    otherwise = {"fur.cpp", "fur_roots.cpp", "prep_mesh.cpp", "skin_tables.cpp"}  # "seed" of random numbers, and of an order of triangles; tables of each setting
+    otherwise = {"fur.cpp", "fur_roots.cpp", "prep_mesh.cpp"}  # "seed" of random numbers, and of an order of triangles
     for room in [*rooms.TOPS, "hlsl", "effects"]:
         for path in files(root / room, SOURCES):
             for number, text in enumerate(without_comments(text_of(path)).splitlines(), 1):

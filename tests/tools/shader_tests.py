@@ -78,7 +78,7 @@ def shaders_in(folder):
     """What a process has compiled: per effect, entry and stage the SPIR-V in the order of compiling."""
     found = {}
     for path in sorted(folder.glob("*.bin"), key=lambda p: p.stat().st_mtime_ns):
-        data, at = path.read_bytes(), 40  # magic and checksum: host/spirv/cache.cpp
+        data, at = path.read_bytes(), 32  # behind a checksum (host/support/cache.cpp): host/spirv/cache.cpp
         stage, at = data[at:at + 4], at + 4
         texts = []
         for _ in range(2):

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Image grey(const std::vector<float>& values) {
-    Image image{.width = static_cast<int>(values.size()), .height = 1, .channels = 4, .pixels = {}, .metadata = {}};
+    Image image{.width = static_cast<int>(values.size()), .height = 1, .channels = 4};
     for (const float value : values)
         image.pixels.insert(image.pixels.end(), {value, value, value, 1});
     return image;
@@ -95,7 +95,7 @@ TEST(SourceView, an_error_opens_its_file_and_marks_its_lines_unless_there_are_ed
     const SourceFolder folder;
     const fs::path effect = folder.write("a.fx", "one\n");
     const fs::path include = folder.write("b.fxh", "one\ntwo\n");
-    const Error error = inputError(3001, {.file = include.string(), .line = 2, .column = 1, .byte = {}}, "no");
+    const Error error = inputError(3001, {.file = include.string(), .line = 2, .column = 1}, "no");
     SourceText source;
     openSource(source, effect);
     source.text += "edited";

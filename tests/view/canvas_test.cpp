@@ -132,7 +132,7 @@ TEST_F(Canvases, a_picture_that_is_copied_is_as_one_that_has_levels) {
         for (const std::uint32_t side : {20U, 33U}) {
             gpu::Texture window = target(*device_, side);
             const auto seen = [&](const Levels& levels) {
-                EXPECT_TRUE(canvas->show(window, picture, levels, {.fill = fill, .closer = {}}));
+                EXPECT_TRUE(canvas->show(window, picture, levels, {.fill = fill}));
                 const auto bytes = device_->readback(window);
                 return bytes ? *bytes : std::vector<std::byte>();
             };

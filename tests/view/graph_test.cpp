@@ -72,14 +72,13 @@ SessionPass passOf(const char* name, const std::vector<std::string>& reads, cons
 SessionFrame timed(std::vector<std::pair<std::string, double>> passes, std::optional<double> resolve = {}) {
     SessionFrame frame;
     for (auto& [name, milliseconds] : passes)
-        frame.passes.push_back(
-            {.name = name, .targets = {}, .reads = {}, .writes = {}, .milliseconds = milliseconds, .kept = milliseconds == 0});
+        frame.passes.push_back({.name = name, .milliseconds = milliseconds, .kept = milliseconds == 0});
     frame.resolveMilliseconds = resolve;
     return frame;
 }
 
 Image ramp(int width, int height, int channels) {
-    Image image{.width = width, .height = height, .channels = channels, .pixels = {}, .metadata = {}};
+    Image image{.width = width, .height = height, .channels = channels};
     for (int i = 0; i < width * height * channels; ++i)
         image.pixels.push_back(static_cast<float>(i + 1));
     return image;
@@ -248,16 +247,15 @@ TEST(Spread, counts_each_written_texel_once_and_leaves_out_what_is_not_finite) {
 }
 
 TEST(Spread, leaves_alpha_out) {
-    const Histogram histogram =
-        histogramOf({.width = 2, .height = 1, .channels = 4, .pixels = {0.1F, 0.2F, 0.3F, 9, 0, 0, 0, 1}, .metadata = {}});
+    const Histogram histogram = histogramOf({.width = 2, .height = 1, .channels = 4, .pixels = {0.1F, 0.2F, 0.3F, 9, 0, 0, 0, 1}});
     EXPECT_EQ(histogram.channels, 3);
     EXPECT_EQ(histogram.low, 0.1F) << "the second texel is not written";
     EXPECT_EQ(histogram.high, 0.3F);
 }
 
 TEST(Spread, of_nothing_or_of_one_value_is_fine) {
-    EXPECT_EQ(histogramOf({.width = 0, .height = 0, .channels = 3, .pixels = {}, .metadata = {}}).high, 0);
-    const Histogram one = histogramOf({.width = 2, .height = 1, .channels = 1, .pixels = {7, 7}, .metadata = {}});
+    EXPECT_EQ(histogramOf({.width = 0, .height = 0, .channels = 3}).high, 0);
+    const Histogram one = histogramOf({.width = 2, .height = 1, .channels = 1, .pixels = {7, 7}});
     EXPECT_EQ(one.counts[0][0], 2U);
     EXPECT_EQ(one.low, one.high);
 }

@@ -180,13 +180,13 @@ TEST_F(AfterAnEdit, a_session_takes_over_what_the_device_holds_and_draws_the_sam
         auto image = run::readBack(*device_, *session.target(""));
         return image ? image->pixels : std::vector<float>();
     };
-    auto first = std::make_unique<EffectSession>(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+    auto first = std::make_unique<EffectSession>(*device_, *effect, SessionScene{.mesh = &mesh});
     const std::vector<float> picture = drawn(*first);
     const auto one = device_->allocatedBytes();
-    EffectSession alone(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+    EffectSession alone(*device_, *effect, SessionScene{.mesh = &mesh});
     EXPECT_EQ(drawn(alone), picture);
     const auto two = device_->allocatedBytes();
-    EffectSession next(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}}, first.get());
+    EffectSession next(*device_, *effect, SessionScene{.mesh = &mesh}, first.get());
     EXPECT_EQ(drawn(next), picture);
     EXPECT_LT(device_->allocatedBytes() - two, (two - one) / 2) << "it has no texture of its own";
     first.reset();

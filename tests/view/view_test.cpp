@@ -48,7 +48,7 @@ struct Folder {
 };
 
 SessionFrame frameOf(std::vector<std::string> passes) {
-    SessionFrame frame{.technique = "A", .passes = {}, .targets = {"gFirstMap", "gSecondMap"}, .metadata = {}, .warnings = {}};
+    SessionFrame frame{.technique = "A", .targets = {"gFirstMap", "gSecondMap"}};
     for (std::string& name : passes)
         frame.passes.push_back({.name = std::move(name), .targets = {"gFirstMap"}});
     return frame;
@@ -208,7 +208,7 @@ TEST(SceneInTheWorld, is_the_same_in_metres) {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {200, 0, 0}, {0, 150, 90}};
     computeBounds(mesh);
-    const SessionScene scene{.mesh = &mesh, .objects = {}};
+    const SessionScene scene{.mesh = &mesh};
     Workspace workspace;
     const Workspace millimetres = run::inWorld(workspace, scene);
     workspace.worldUnitMm = 1000;

@@ -3,10 +3,10 @@
 #include "host/support/file.h"
 #include "host/support/kept_inputs.h"
 #include "host/support/parallel.h"
-#include "host/support/process.h"
 #include "host/support/system.h"
 #include "host/support/temporary.h"
 #include "host/support/text.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

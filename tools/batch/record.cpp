@@ -128,7 +128,7 @@ Result<Record> readRecord(const fs::path& file) {
                       .result = textOf(json.at("result")),
                       .messages = json.at("messages")};
     } catch (const Json::exception& error) {
-        return inputError(8105, {.file = file.string(), .byte = {}}, fmt::format("is no record of a batch: {}", error.what()),
+        return inputError(8105, {.file = file.string()}, fmt::format("is no record of a batch: {}", error.what()),
                           "remove it, and run the batch again: it does only what is missing");
     }
 }
@@ -167,7 +167,7 @@ Rows tableOf(const std::vector<Record>& records, const std::vector<std::string>&
 report::Page pageOf(const Rows& table) {
     std::vector<report::Column> columns;
     for (const std::string& title : table.front())
-        columns.push_back({.title = title, .kind = "text", .help = {}});
+        columns.push_back({.title = title, .kind = "text"});
     const Json rows(std::vector(table.begin() + 1, table.end()));
     const std::string summary = fmt::format("{} inputs", rows.size());
     return {"tegument batch", summary, {}, {}, {report::table("Inputs", "", columns, rows)}};

@@ -21,7 +21,7 @@ bool isError(const Diagnostic& diagnostic) {
 
 /// The setting that is to be found out is left out.
 LoadOptions loadOptions(const Variant& variant, const CheckOptions& options) {
-    LoadOptions load{.defines = variant.defines, .includeFolders = options.includeFolders, .setting = {}, .lenient = true};
+    LoadOptions load{.defines = variant.defines, .includeFolders = options.includeFolders, .lenient = true};
     load.roots = options.roots;
     return load;
 }
@@ -69,7 +69,7 @@ std::vector<Variant> settingVariants(const std::filesystem::path& effect, const 
     if (loaded && loaded->settings)
         for (const std::string& name : loaded->settings->names)
             variants.push_back({.name = name, .defines = options.defines, .setting = name});
-    return variants.empty() ? std::vector{Variant{.name = {}, .defines = options.defines}} : variants;
+    return variants.empty() ? std::vector{Variant{.defines = options.defines}} : variants;
 }
 
 bool FileReport::failed() const {
@@ -190,7 +190,7 @@ TargetCheck* Work::find(Target target) {
 }
 
 Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets, const CheckOptions& options) {
-    Work work{.file = file, .variant = variant, .includeFolders = options.includeFolders, .pairs = {}, .report = {}};
+    Work work{.file = file, .variant = variant, .includeFolders = options.includeFolders};
     work.compatible = options.compatible;
     work.report.file = file;
     work.report.variant = variant.name;
@@ -224,12 +224,8 @@ std::string spellingObstacle(const Work& work) {
 }
 
 void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint) {
-    report.diagnostics.push_back({.severity = Severity::Error,
-                                  .code = code,
-                                  .at = std::move(at),
-                                  .text = std::move(text),
-                                  .hint = std::move(hint),
-                                  .sourceLine = {}});
+    report.diagnostics.push_back(
+        {.severity = Severity::Error, .code = code, .at = std::move(at), .text = std::move(text), .hint = std::move(hint)});
 }
 
 void addUnwritten(const EntryPoint& vertex, const EntryPoint& pixel, std::string_view semantic, TargetCheck& report) {

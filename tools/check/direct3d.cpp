@@ -61,9 +61,7 @@ void addJob(Work& work, TargetCheck& report, EntryPoint* entry, std::string prof
                           .entry = entry == nullptr ? "" : entry->name,
                           .source = work.file,
                           .defines = definesFor(work, report.target),
-                          .output = {},
                           .includeFolders = work.includeFolders,
-                          .shader = {},
                           .compatible = work.compatible,
                           .roots = work.effect().roots});
     batch.tickets.push_back({&work, &report, entry});
@@ -108,7 +106,7 @@ SourcePosition firstMissing(const Work& work, std::string_view binary, Target ta
         const std::string name = '\0' + technique->name + '\0';
         if (binary.find(name) == std::string_view::npos) return technique->at;
     }
-    return {.file = work.file.string(), .byte = {}};
+    return {.file = work.file.string()};
 }
 
 /// Microsoft's compiler drops blocks that it does not know without a word.

@@ -16,7 +16,7 @@ ResourceRow& rowOf(ResourceTable& table, const FileReport& file, const PassUsage
     });
     if (found != table.rows.end()) return *found;
     table.rows.push_back(
-        {.effect = effect, .technique = usage.technique, .pass = usage.pass, .entry = usage.entry, .profile = usage.profile, .usage = {}});
+        {.effect = effect, .technique = usage.technique, .pass = usage.pass, .entry = usage.entry, .profile = usage.profile});
     return table.rows.back();
 }
 

@@ -18,13 +18,7 @@ class Listings {
 public:
     void add(std::string_view shader) {
         if (!jobs_.emplace(shader, list_.size()).second) return;
-        list_.push_back({.profile = "listing",
-                         .entry = {},
-                         .source = {},
-                         .defines = {},
-                         .output = {},
-                         .includeFolders = {},
-                         .shader = std::string(shader)});
+        list_.push_back({.profile = "listing", .shader = std::string(shader)});
     }
 
     Result<void> run() {
@@ -54,13 +48,11 @@ struct PassShaders {
 
 /// 512 slots is what every device has, and most have 32768: foreign effects of more run where their authors ran them.
 void warnOfSlots(const ShaderReference& shader, int slots, bool vertex, TargetCheck& report) {
-    report.diagnostics.push_back({.severity = Severity::Warning,
-                                  .code = 3203,
-                                  .at = shader.at,
-                                  .text = fmt::format("{} takes {} instruction slots: {} promises 512, and devices may have up to 32768",
-                                                      shader.entry, slots, vertex ? "vs_3_0" : "ps_3_0"),
-                                  .hint = "split the pass where every device shall draw it",
-                                  .sourceLine = {}});
+    report.diagnostics.push_back(
+        inputWarning(3203, shader.at,
+                     fmt::format("{} takes {} instruction slots: {} promises 512, and devices may have up to 32768", shader.entry, slots,
+                                 vertex ? "vs_3_0" : "ps_3_0"),
+                     "split the pass where every device shall draw it"));
 }
 
 void holdAgainstLimits(const ShaderReference& shader, const Sm3Usage& usage, bool vertex, bool own, TargetCheck& report) {

@@ -183,8 +183,6 @@ void compileEach(Work& work, TargetCheck& report,
                                                    .file = work.file.string(),
                                                    .entry = respelt ? entry.symbol : entry.name,
                                                    .stage = entry.stage,
-                                                   .defines = {},
-                                                   .includeFolders = {},
                                                    .language2018 = respelt}));
     }
 }

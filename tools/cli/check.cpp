@@ -191,7 +191,7 @@ CheckOptions checkOptions(const CheckArguments& arguments) {
     options.allSettings = arguments.allSettings;
     options.compatible = arguments.compatible;
     options.roots = load.roots;
-    if (options.allSettings) options.variants.front() = {.name = {}, .defines = load.defines};
+    if (options.allSettings) options.variants.front() = {.defines = load.defines};
     return options;
 }
 

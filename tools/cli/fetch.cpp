@@ -1,8 +1,8 @@
 #include "tools/cli/fetch.h"
 
-#include "host/support/process.h"
 #include "host/support/text.h"
 #include "meshprep/assets/names.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 
@@ -26,8 +26,7 @@ Result<void> fetch(const std::string& what, const std::filesystem::path& folder)
     if (!python)
         return machineError(8025, fmt::format("{} cannot be fetched: there is no python3", what),
                             "Debian: apt-get install python3 python3-pip");
-    const auto done = runProcess(
-        {.arguments = {python->string(), assets::ownFile(kScript).string(), what, folder.string()}, .environment = {}}, kTimeLimit);
+    const auto done = runProcess({.arguments = {python->string(), assets::ownFile(kScript).string(), what, folder.string()}}, kTimeLimit);
     if (!done) return done.error();
     if (done->timedOut) return machineError(8025, fmt::format("fetching {} took more than {} s", what, kTimeLimit), "try again");
     if (done->exitCode == 0) return {};

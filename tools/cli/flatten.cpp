@@ -28,10 +28,10 @@ int flatten(const FlattenArguments& arguments) {
     if (const auto can = checkOutput(arguments.output, {}); !can) return fail(can.error(), false);
     const auto file = arguments.library && arguments.file.empty() ? assets::ownFile(kLibraryHead) : assets::findEffect(arguments.file);
     if (!file) return fail(file.error(), false);
-    PreprocessOptions options{.defines = {}, .includeFolders = {}, .read = {}};
+    PreprocessOptions options{};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
-    const Roots roots = rootsOfEffect(*file, options.includeFolders, {.folders = {}, .anywhere = arguments.anywhere});
+    const Roots roots = rootsOfEffect(*file, options.includeFolders, {.anywhere = arguments.anywhere});
     options.read = confinedReader(*file, roots);
     const auto text = arguments.library ? flattenLibrary(*file, options) : flattenEffect(*file, options);
     if (!text) return fail(text.error(), false);

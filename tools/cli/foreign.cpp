@@ -40,14 +40,11 @@ std::optional<Diagnostic> plainPictureNote(const Image& image, const std::string
     for (std::size_t c = 0; c < 3; ++c)
         if (high[c] - low[c] > kLeast) return std::nullopt;
     const bool black = std::ranges::all_of(high, [](float value) { return value < kLeast; });
-    return Diagnostic{.severity = Severity::Warning,
-                      .code = 4070,
-                      .at = {.file = effect, .byte = {}},
-                      .text = black ? std::string("the picture is black")
-                                    : fmt::format("the picture is one colour, ({:.2f}, {:.2f}, {:.2f})", high[0], high[1], high[2]),
-                      .hint = numbers ? "look at what the parameters got: --bind NAME=RULE and --set NAME=VALUE change it"
-                                      : "the shader computes numbers that are not finite",
-                      .sourceLine = {}};
+    return inputWarning(4070, {.file = effect},
+                        black ? std::string("the picture is black")
+                              : fmt::format("the picture is one colour, ({:.2f}, {:.2f}, {:.2f})", high[0], high[1], high[2]),
+                        numbers ? "look at what the parameters got: --bind NAME=RULE and --set NAME=VALUE change it"
+                                : "the shader computes numbers that are not finite");
 }
 
 } // namespace tegument::app

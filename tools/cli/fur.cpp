@@ -184,8 +184,6 @@ void addShape(CLI::App& command, StrandArguments& arguments) {
         ->excludes(region);
 }
 
-namespace fs = std::filesystem;
-
 void addFurStrands(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<StrandArguments>();
     CLI::App* command = fur.add_subcommand("strands", "Grow strands on a mesh as ribbons, a part of it (docs/design/fur.md)");
@@ -237,7 +235,7 @@ Result<Posed> pose(const PoseArguments& arguments) {
     if (!posed) return posed.error();
     auto roots = loadRootTexture(arguments.roots);
     if (!roots) return roots.error();
-    Posed found{.seats = {}, .skin = skinOf(*rest, *posed), .roots = *std::move(roots), .pose = {}};
+    Posed found{.skin = skinOf(*rest, *posed), .roots = *std::move(roots)};
     auto seats = seatsOfRoots(found.skin, found.roots);
     if (!seats) return seats.error();
     found.seats = *std::move(seats);
@@ -267,8 +265,6 @@ int poseFile(const PoseArguments& arguments) {
         fmt::print("wrote {}\n", file);
     return 0;
 }
-
-namespace fs = std::filesystem;
 
 void addFurPose(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<PoseArguments>();
@@ -455,9 +451,7 @@ int several(const TextureArguments& arguments) {
     const int count = static_cast<int>(range->last - range->first + 1);
     const int side = std::min(arguments.size, kLargestThumbnail);
     const int rows = (count + kColumns - 1) / kColumns;
-    Image sheet{
-        .width = kColumns * (side + kGap) - kGap, .height = rows * (side + kGap) - kGap, .channels = 3, .pixels = {}, .metadata = {}};
-    sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, 1.0F);
+    Image sheet = plainImage(kColumns * (side + kGap) - kGap, rows * (side + kGap) - kGap, 3, 1.0F);
 
     std::vector<StrandStatistics> figures;
     std::vector<std::vector<std::string>> lines;

@@ -6,7 +6,6 @@
 #include "host/support/file.h"
 #include "meshprep/assets/names.h"
 #include "meshprep/fur/roots/root_maps.h"
-#include "meshprep/fur/roots/root_picture.h"
 #include "tools/cli/command_line.h"
 
 #include <fmt/format.h>
@@ -145,9 +144,8 @@ fs::path besideOf(const RootArguments& arguments) {
 }
 
 Result<void> checkFiles(const RootArguments& arguments) {
-    if (const auto can = checkOutput(arguments.output, {".dds"}, "--picture draws the strands as PNG"); !can) return can.error();
+    if (const auto can = checkOutput(arguments.output, {".dds"}, "tegument render FurRoots draws the strands"); !can) return can.error();
     if (const auto can = checkOutput(besideOf(arguments).string(), {}); !can) return can.error();
-    if (const auto can = checkOutput(arguments.picture, {".png"}); !can) return can.error();
     return checkRootInputs(arguments);
 }
 
@@ -162,23 +160,14 @@ int run(RootArguments& arguments) {
     const DdsTexture dds{.format = DdsFormat::Rgba32F, .images = {built->texture.image}};
     if (const auto written = writeDds(arguments.output, dds); !written) return fail(written.error(), arguments.json);
     if (const auto written = writeFile(beside, json.dump(2) + "\n"); !written) return fail(written.error(), arguments.json);
-    if (!arguments.picture.empty()) {
-        constexpr int kSide = 640;
-        Image picture = drawRoots(built->mesh, built->set, arguments.roots.furLength, kSide);
-        picture.metadata["Software"] = "Tegument";
-        if (const auto written = writePng(arguments.picture, picture, PngEncoding::Srgb); !written)
-            return fail(written.error(), arguments.json);
-    }
     if (arguments.json) {
         Json shown = json;
         shown["files"] = {arguments.output, beside.string()};
-        if (!arguments.picture.empty()) shown["files"].push_back(arguments.picture);
         print(shown);
         return 0;
     }
     printSummary(*built, arguments);
-    for (const std::string& file : {arguments.output, beside.string(), arguments.picture})
-        if (!file.empty()) fmt::print("wrote {}\n", file);
+    fmt::print("wrote {}\nwrote {}\n", arguments.output, beside.string());
     return 0;
 }
 
@@ -248,11 +237,10 @@ void addFurRoots(CLI::App& fur, Action& action) {
     command->add_option("mesh", arguments->input, "Mesh, as the effect will draw it")->required();
     command->add_option("-o,--output", arguments->output, "DDS to write; a JSON file of the same name says what is in it")
         ->capture_default_str();
-    command->add_option("--picture", arguments->picture, "PNG to draw the strands into, from the front, the right and above");
     addRootOptions(*command, *arguments);
     command->add_flag("--json", arguments->json, "Print JSON");
     addExamples(*command, {{"fur roots bunny.glb -o out/fur/bunny_roots.dds", "as many as usual"},
-                           {"fur roots bunny.glb --density 0.5 --picture out/strands.png", "by area, and look at them"},
+                           {"fur roots bunny.glb --density 0.5", "by area"},
                            {"fur roots bunny.glb --comb 0 -1 0 --lean 0.5", "combed down"}});
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }

@@ -20,7 +20,6 @@ struct RootArguments {
     std::string densityAttribute;
     std::string lengthAttribute;
     std::string directionAttribute;
-    std::string picture;
     bool json = false;
 };
 

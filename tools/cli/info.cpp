@@ -191,7 +191,7 @@ struct PassCount {
 PassCount countPasses(const Effect& effect, const Technique& technique) {
     const auto byDefault = passesRun(effect, technique, false);
     const auto on = passesRun(effect, technique, true);
-    PassCount count{.counted = {}, .byDefault = byDefault.size()};
+    PassCount count{.byDefault = byDefault.size()};
     for (const Pass& pass : technique.passes)
         if (std::ranges::find(byDefault, &pass) != byDefault.end() || std::ranges::find(on, &pass) != on.end())
             count.counted.push_back(&pass);

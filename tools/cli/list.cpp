@@ -62,7 +62,7 @@ struct Listing {
 };
 
 EffectRow effectRow(const fs::path& file) {
-    EffectRow row{.file = file, .techniques = {}, .presets = {}, .problem = {}};
+    EffectRow row{.file = file};
     const auto effect = loadEffect(file);
     if (!effect) {
         row.problem = effect.error().diagnostics.front().text;
@@ -104,7 +104,7 @@ std::vector<fs::path> meshesOf(const Workspace& workspace) {
 }
 
 WorkspaceRow workspaceRow(const fs::path& file) {
-    WorkspaceRow row{.file = file, .shows = commentOf(file), .meshes = {}, .problem = {}, .remedy = {}};
+    WorkspaceRow row{.file = file, .shows = commentOf(file)};
     if (const auto named = loadWorkspace(file, {.requireMesh = false})) row.meshes = meshesOf(*named);
     if (const auto loaded = loadWorkspace(file, assets::workspaceOptions()); !loaded) {
         constexpr std::string_view kMake = "make it: ";

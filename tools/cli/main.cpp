@@ -1,21 +1,79 @@
 // tegument: check, look into and render effect files; prepare meshes for them.
 
+#include "host/gpu/gpu.h"
+#include "host/spirv/compile.h"
+#include "host/support/file.h"
 #include "host/support/kept_inputs.h"
+#include "host/support/memory_limit.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/ends.h"
-#include "tools/cli/max_memory.h"
 #include "tools/cli/output.h"
-#include "tools/cli/version.h"
 
+#include <CLI/Version.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string_view>
 #include <system_error>
 
+namespace tegument::app {
+
 namespace {
+
+std::string compilerText(Compiler compiler) {
+    return compilerAvailable(compiler) ? compilerName(compiler) : whyCompilerMissing(compiler);
+}
+
+#ifdef __clang__
+constexpr const char* kBuiltBy = __VERSION__; // begins with the compiler's name
+#else
+constexpr const char* kBuiltBy = "GCC " __VERSION__;
+#endif
+
+std::string deviceText() {
+    const auto device = gpu::Device::create({});
+    if (!device) return device.error().diagnostics.front().text;
+    const gpu::DeviceInfo& info = device->info();
+    return fmt::format("{} ({}), Vulkan {}", info.name, info.driver, info.apiVersion);
+}
+
+/// The version alone, or with compilers, libraries and the device, one to a line: for reports of faults.
+std::string versionText(bool verbose) {
+    if (!verbose) return TEGUMENT_VERSION;
+    return fmt::format(
+        "tegument {}\nbuilt by    {}\nlibraries   fmt {}.{}.{}, CLI11 {}, nlohmann-json {}.{}.{}\nDXC         {}\nglslang     {}\n"
+        "device      {}\ncache       {}",
+        TEGUMENT_VERSION, kBuiltBy, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, CLI11_VERSION,
+        NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, compilerText(Compiler::Dxc),
+        compilerText(Compiler::Glslang), deviceText(), cacheFolder().string());
+}
+
+constexpr std::uint64_t kMebibyte = 1024ULL * 1024;
+constexpr std::uint64_t kMostMebibytes = kNoMemoryLimit / kMebibyte;
+
+void addMemoryLimit(CLI::App& command) {
+    const auto below = command.get_subcommands([](CLI::App*) { return true; });
+    for (CLI::App* each : below)
+        addMemoryLimit(*each);
+    if (command.get_parent() == nullptr || command.get_option_no_throw("--max-memory") != nullptr) return;
+    command
+        .add_option_function<std::uint64_t>(
+            "--max-memory", [](std::uint64_t given) { limitMemoryTo(given * kMebibyte); }, "MiB of memory; default: what is free")
+        ->check(CLI::Range(std::uint64_t{1}, kMostMebibytes))
+        ->type_name("MIB");
+}
+
+/// Limits this process to what is free of the memory of the machine, or of the container, and adds `--max-memory MiB` to every command that
+/// has no such option of its own, so that a hostile file ends this program and not the machine. Beyond it allocations fail: TG8001. What is
+/// only reserved, or mapped to be read, does not count (RLIMIT_DATA).
+void limitMemory(CLI::App& program) {
+    limitMemoryTo(memoryToBeHad());
+    addMemoryLimit(program);
+}
 
 constexpr int kMachine = 3;
 
@@ -44,28 +102,28 @@ int run(int argc, char** argv) {
     program.allow_windows_style_options(false); // "/a/b.fx" is a file there, too
     bool verbose = false;
     program.add_flag("--verbose", verbose, "With --version: compilers, libraries and the device, too");
-    program.set_version_flag("--version", [&] { return tegument::app::versionText(verbose); });
-    tegument::app::Action action;
-    tegument::app::setUpHelp(program, action);
-    tegument::app::addRender(program, action);
-    tegument::app::addPortrait(program, action);
-    tegument::app::addCheck(program, action);
-    tegument::app::addFlatten(program, action);
-    tegument::app::addInfo(program, action);
-    tegument::app::addSurvey(program, action);
-    tegument::app::addList(program, action);
-    tegument::app::addPrep(program, action);
-    tegument::app::addFur(program, action);
-    tegument::app::addSheet(program, action);
-    tegument::app::addCompare(program, action);
-    tegument::app::addView(program, action);
-    tegument::app::addBatch(program, action);
+    program.set_version_flag("--version", [&] { return versionText(verbose); });
+    Action action;
+    setUpHelp(program, action);
+    addRender(program, action);
+    addPortrait(program, action);
+    addCheck(program, action);
+    addFlatten(program, action);
+    addInfo(program, action);
+    addSurvey(program, action);
+    addList(program, action);
+    addPrep(program, action);
+    addFur(program, action);
+    addSheet(program, action);
+    addCompare(program, action);
+    addView(program, action);
+    addBatch(program, action);
     program.footer(kStart); // after the others: a command inherits what its parent has
-    tegument::app::addLab(program, action);
+    addLab(program, action);
     program.footer(program.get_footer() + kExitCodes);
-    tegument::app::limitMemory(program);
-    if (const auto code = tegument::app::parse(program, argc, argv)) return *code;
-    return tegument::app::keepingInputs(action());
+    limitMemory(program);
+    if (const auto code = parse(program, argc, argv)) return *code;
+    return keepingInputs(action());
 }
 
 /// The C++ library, and oneTBB, whose exceptions for it have no type of their own.
@@ -75,30 +133,32 @@ bool isOfThreads(const std::exception& error) {
            std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
 }
 
-tegument::Error errorOf(const std::exception& error) {
+Error errorOf(const std::exception& error) {
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
-        return tegument::machineError(8001, "out of memory", "try a smaller size or map size, or a larger --max-memory");
+        return machineError(8001, "out of memory", "try a smaller size or map size, or a larger --max-memory");
     if (isOfThreads(error))
-        return tegument::machineError(8027, fmt::format("no thread can be started: {}", error.what()),
-                                      "allow more processes (`ulimit -u`) or more memory (--max-memory)");
-    return tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()));
+        return machineError(8027, fmt::format("no thread can be started: {}", error.what()),
+                            "allow more processes (`ulimit -u`) or more memory (--max-memory)");
+    return machineError(8002, fmt::format("unexpected failure: {}", error.what()));
 }
 
 /// The code of an action that threw.
 int afterThrow(const std::exception& error) {
     if (std::ferror(stdout) != 0) return 0; // fmt throws where nothing can be written: ended() says so
-    tegument::app::say(tegument::format(errorOf(error)));
+    say(format(errorOf(error)));
     return kMachine;
 }
 
 } // namespace
 
+} // namespace tegument::app
+
 int main(int argc, char** argv) {
     tegument::app::begin();
     const tegument::KeptInputs inputs;
     try {
-        return tegument::app::ended(run(argc, argv));
+        return tegument::app::ended(tegument::app::run(argc, argv));
     } catch (const std::exception& error) {
-        return tegument::app::ended(afterThrow(error));
+        return tegument::app::ended(tegument::app::afterThrow(error));
     }
 }

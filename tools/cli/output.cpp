@@ -86,7 +86,7 @@ void warnOfForeign(const std::filesystem::path& path) {
     const MeshFormat* mesh = meshFormatOf(path);
     std::error_code code;
     if (!(assets::isPicture(path) || (mesh && mesh->write)) || !std::filesystem::is_regular_file(path, code) || isOurs(path)) return;
-    Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028, .at = {}, .text = {}, .hint = {}};
+    Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028};
     diagnostic.text = fmt::format("{} was not written by Tegument, and is replaced", path.string());
     diagnostic.hint = "the next release will refuse that without --force";
     warn({diagnostic});

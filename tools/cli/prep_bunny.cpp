@@ -1,12 +1,12 @@
 // tegument prep bunny: the mesh, maps and roots that effects/workspaces/bunny*.json name.
 
 #include "host/support/file.h"
-#include "host/support/process.h"
 #include "host/support/system.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/fetch.h"
 #include "tools/cli/output.h"
 #include "tools/cli/prep_mesh.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -56,7 +56,7 @@ Result<void> runStep(const Step& step) {
     constexpr double kTimeLimit = 1800; // seconds; the maps take 20 on two cores
     std::vector<std::string> command = {programFile().string()};
     command.insert(command.end(), step.arguments.begin(), step.arguments.end());
-    const auto done = runProcess({.arguments = command, .environment = {}}, kTimeLimit);
+    const auto done = runProcess({.arguments = command}, kTimeLimit);
     if (!done) return done.error();
     if (!done->timedOut && done->exitCode == 0) return {};
     return machineError(8026, fmt::format("{} failed: tegument {}", step.says, fmt::join(step.arguments, " ")),

@@ -73,8 +73,7 @@ Result<void> provideSource(const HumanArguments& arguments, Progress& progress) 
 int prepHuman(const HumanArguments& arguments) {
     if (!arguments.output.empty())
         if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
-    HumanOptions options{
-        .source = arguments.source, .output = arguments.output, .seed = arguments.seed, .keep = arguments.keep, .progress = {}};
+    HumanOptions options{.source = arguments.source, .output = arguments.output, .seed = arguments.seed, .keep = arguments.keep};
     options.colorMapSize = options.normalMapSize = arguments.mapSize;
     options.subdivisionLevels = arguments.levels;
     Progress progress;

@@ -289,10 +289,7 @@ report::Page prepPage(const Json& run) {
     report::Page page{.title = "tegument prep",
                       .summary = fmt::format("{}: {} vertices and {} triangles out of {} vertices and {} faces", textAt(run, "/input/file"),
                                              integerAt(run, "/output/vertices"), integerAt(run, "/output/faces"),
-                                             integerAt(run, "/input/vertices"), integerAt(run, "/input/faces")),
-                      .verdict = {},
-                      .facts = {},
-                      .sections = {}};
+                                             integerAt(run, "/input/vertices"), integerAt(run, "/input/faces"))};
     if (const std::string output = textAt(run, "/output/file"); !output.empty()) page.facts.emplace_back("written to", output);
     if (Json list = warnings(run); !list["rows"].empty()) page.sections.push_back(std::move(list));
     page.sections.insert(page.sections.end(), {steps(run), timeline(run), beforeAfter(run)});
@@ -383,12 +380,7 @@ void warnOfLost(const prep::Prepared& prepared, const std::string& output) {
     add(materials.size(), "materials");
     add(mesh.materials.images.size(), "pictures");
     if (lost.empty()) return;
-    warn({{.severity = Severity::Warning,
-           .code = 5331,
-           .at = {.byte = {}},
-           .text = fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost),
-           .hint = "write a glb to keep them",
-           .sourceLine = {}}});
+    warn({inputWarning(5331, {}, fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost), "write a glb to keep them")});
 }
 
 /// The folders that writing will create, the outermost one.

@@ -75,8 +75,6 @@ private:
     std::vector<fs::path> files_;
 };
 
-namespace fs = std::filesystem;
-
 /// The file of a picture, counted from 1.
 fs::path numbered(const fs::path& output, int number) {
     fs::path path = output;

@@ -24,7 +24,7 @@ Result<Json> earlierRun(const ReportOptions& options, const FiguresOf& figuresOf
     if (!text) return text.error();
     Json json = Json::parse(*text, nullptr, false);
     if (json.is_discarded() || figuresOf(json).empty())
-        return inputError(8091, {.file = options.against, .byte = {}}, "this file holds no earlier run of this command",
+        return inputError(8091, {.file = options.against}, "this file holds no earlier run of this command",
                           "--against takes the JSON that the command itself wrote");
     return json;
 }

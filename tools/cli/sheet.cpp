@@ -46,7 +46,7 @@ Result<std::vector<Image>> loadAll(const std::vector<std::string>& paths) {
         const Image& first = images.front();
         const Image& last = images.back();
         if (last.width != first.width || last.height != first.height)
-            return inputError(8030, {.file = path, .byte = {}},
+            return inputError(8030, {.file = path},
                               fmt::format("is {}x{}, the first picture {}x{}", last.width, last.height, first.width, first.height),
                               "render them with one --size");
     }
@@ -116,11 +116,8 @@ std::map<std::string, std::string> metadataOf(const std::vector<Image>& images) 
 }
 
 Image arrange(const std::vector<Image>& images, const Grid& grid) {
-    Image sheet{.width = grid.x(grid.columns) - grid.gap,
-                .height = grid.y(grid.rows) - grid.gap,
-                .channels = 3,
-                .pixels = {},
-                .metadata = metadataOf(images)};
+    Image sheet{
+        .width = grid.x(grid.columns) - grid.gap, .height = grid.y(grid.rows) - grid.gap, .channels = 3, .metadata = metadataOf(images)};
     sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, kPaper);
     for (int i = 0; i < static_cast<int>(images.size()); ++i)
         for (int y = 0; y < grid.height; ++y)

@@ -68,12 +68,7 @@ Result<Found> effectsIn(const fs::path& folder) {
         if (!error) continue;
         const std::string text = fmt::format("cannot read the folder {}: {}", here.string(), error.message());
         if (here == folder) return usageError(8006, text);
-        found.unread.push_back({.severity = Severity::Warning,
-                                .code = 8006,
-                                .at = {},
-                                .text = text,
-                                .hint = "the effects below it are left out",
-                                .sourceLine = {}});
+        found.unread.push_back(inputWarning(8006, {}, text, "the effects below it are left out"));
     }
     if (found.effects.empty())
         return usageError(8006, fmt::format("there is no effect below the folder {}", folder.string()),
@@ -138,7 +133,7 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
 void check(const std::vector<fs::path>& files, const std::vector<Target>& targets, const SurveyOptions& options, std::vector<Row>& rows) {
     if (targets.empty()) return;
     const LoadOptions load = loadIn(options);
-    CheckOptions wanted{.variants = {Variant{.name = {}, .defines = load.defines}}, .includeFolders = load.includeFolders};
+    CheckOptions wanted{.variants = {Variant{.defines = load.defines}}, .includeFolders = load.includeFolders};
     wanted.roots = load.roots;
     const CheckReport report = checkEffects(files, targets, wanted);
     for (const FileReport& file : report.files)

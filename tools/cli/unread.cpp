@@ -56,13 +56,9 @@ std::vector<Diagnostic> unreadValues(const std::vector<std::string>& sets, const
         std::vector<std::string> others;
         for (const Technique& technique : effect.techniques)
             if (technique.name != drawn.technique && reads(effect, technique, name)) others.push_back(technique.name);
-        warnings.push_back({.severity = Severity::Warning,
-                            .code = 8029,
-                            .at = {},
-                            .text = fmt::format("--set {} changes nothing: {} does not read {}", set, drawn.technique, name),
-                            .hint = others.empty() ? fmt::format("no technique of {} does", effect.file.filename().string())
-                                                   : fmt::format("these do: -t {}", fmt::join(others, ", ")),
-                            .sourceLine = {}});
+        warnings.push_back(inputWarning(8029, {}, fmt::format("--set {} changes nothing: {} does not read {}", set, drawn.technique, name),
+                                        others.empty() ? fmt::format("no technique of {} does", effect.file.filename().string())
+                                                       : fmt::format("these do: -t {}", fmt::join(others, ", "))));
     }
     return warnings;
 }

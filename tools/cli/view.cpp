@@ -33,7 +33,7 @@ constexpr int kNoReplay = 8049;
 constexpr std::size_t kMostSteps = 1000000; // hours of input
 
 Error refused(const std::filesystem::path& file, const std::string& why) {
-    return inputError(kNoReplay, {.file = file.string(), .byte = {}}, "this is no replay: " + why,
+    return inputError(kNoReplay, {.file = file.string()}, "this is no replay: " + why,
                       R"(a list of steps such as {"drag": [0.1, 0]}, {"wheel": 1}, {"key": "t"}, {"edit": FILE, "from": A, "to": B})");
 }
 
@@ -197,7 +197,6 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .renderArguments = renderArguments(options.job),
             .keeps = job,
             .keepView = false,
-            .open = {},
             .fewer = prep::quickLevel,
             .rootsOn = assets::rootsOnMesh};
 }

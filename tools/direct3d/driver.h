@@ -1,7 +1,7 @@
 #pragma once
 // The program that calls Microsoft's compiler: hlslc.exe in Wine; on Windows this program itself, called with kDriverWord first.
 
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 namespace tegument {
 

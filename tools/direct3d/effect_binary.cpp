@@ -122,7 +122,7 @@ std::optional<EffectParameter> readFx2Parameter(std::string_view bytes, std::uin
     const std::uint32_t base = reader.next();
     const std::uint32_t kind = reader.next();
     if (base < kTypeBool || base > kTypeFloat || kind > kClassLast) return {};
-    EffectParameter parameter{.name = fx2String(bytes, reader.next()), .semantic = fx2String(bytes, reader.next()), .numbers = {}};
+    EffectParameter parameter{.name = fx2String(bytes, reader.next()), .semantic = fx2String(bytes, reader.next())};
     const std::uint64_t elements = std::max(reader.next(), 1U);
     const std::uint64_t first = reader.next();
     const std::uint64_t second = reader.next();

@@ -49,14 +49,7 @@ bool canBeListed(const MicrosoftJob& job) {
 
 MicrosoftResult failedJob(const MicrosoftJob& job, int code, std::string text, std::string hint = {}) {
     return {.ok = false,
-            .diagnostics = {{.code = code,
-                             .at = {.file = job.source.string(), .byte = {}},
-                             .text = std::move(text),
-                             .hint = std::move(hint),
-                             .sourceLine = {}}},
-            .binary = {},
-            .sm3 = {},
-            .sm5 = {}};
+            .diagnostics = {{.code = code, .at = {.file = job.source.string()}, .text = std::move(text), .hint = std::move(hint)}}};
 }
 
 /// Result 0x80070002: the file is not there; others come without a message, too.
@@ -74,7 +67,7 @@ std::optional<Diagnostic> readOutside(const nlohmann::json& json, const Microsof
     for (const auto& name : json["included"]) {
         if (!name.is_string()) continue;
         const fs::path path = unixPath(name.get<std::string>());
-        if (!job.roots->hold(path)) return outsideOf(path, {.file = job.source.string(), .byte = {}});
+        if (!job.roots->hold(path)) return outsideOf(path, {.file = job.source.string()});
     }
     return std::nullopt;
 }
@@ -204,8 +197,7 @@ private:
         if (!has("ok", &Json::is_boolean) || !has("ms", &Json::is_number) || !has("messages", &Json::is_string) ||
             !has("result", &Json::is_number))
             return;
-        MicrosoftResult result{
-            .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};
+        MicrosoftResult result{.ok = json["ok"].get<bool>(), .milliseconds = json["ms"].get<double>()};
         result.kept = json.value("kept", false);
         if (const auto outside = readOutside(json, job)) {
             result.ok = false;
@@ -214,7 +206,7 @@ private:
             return;
         }
         Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source, job.includeFolders,
-                                                  job.roots.value_or(Roots{.folders = {}, .anywhere = true}));
+                                                  job.roots.value_or(Roots{.anywhere = true}));
         if (!result.ok && messages.errors.empty()) messages.errors.push_back(withoutMessage(job, json["result"].get<std::uint32_t>()));
         result.diagnostics = shortened(std::move(messages.errors));
         for (Diagnostic& warning : shortened(std::move(messages.warnings)))

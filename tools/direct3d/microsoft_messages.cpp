@@ -41,7 +41,7 @@ std::string namedLike(const Job& job, std::string_view written) {
 }
 
 SourcePosition readPlace(std::string_view place, const Job& job) {
-    SourcePosition at{.file = job.source.string(), .byte = {}};
+    SourcePosition at{.file = job.source.string()};
     const std::size_t open = place.rfind('(');
     if (open == std::string_view::npos || !place.ends_with(')')) return at;
     const std::string_view inside = place.substr(open + 1, place.size() - open - 2);
@@ -89,8 +89,7 @@ void add(Messages& messages, bool error, SourcePosition at, std::string_view tex
                        .code = error ? kError : kWarning,
                        .at = std::move(at),
                        .text = std::string(text),
-                       .hint = hintFor(text),
-                       .sourceLine = {}};
+                       .hint = hintFor(text)};
     if (roots.hold(message.at.file)) message.sourceLine = sourceLineAt(message.at);
     (error ? messages.errors : messages.warnings).push_back(std::move(message));
 }
@@ -112,19 +111,18 @@ void readLine(std::string_view line, const Job& job, Messages& into) {
         const std::string marker = ": " + std::string(kind.marker);
         const std::size_t separator = line.find(marker);
         if (line.starts_with(kind.marker))
-            return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line.substr(kind.marker.size()), job.roots);
+            return add(into, kind.error, {.file = job.source.string()}, line.substr(kind.marker.size()), job.roots);
         if (separator == std::string_view::npos) continue;
         return add(into, kind.error, readPlace(line.substr(0, separator), job), line.substr(separator + marker.size()), job.roots);
     }
     static constexpr Kind kLinkage[] = {{"Stage linkage error: ", true}, {"Stage linkage warning: ", false}};
     for (const Kind& kind : kLinkage)
-        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line, job.roots);
+        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = job.source.string()}, line, job.roots);
     constexpr std::string_view kEffect = "D3DEffectCompiler: ERROR: ";
-    if (line.starts_with(kEffect))
-        return add(into, true, {.file = job.source.string(), .byte = {}}, line.substr(kEffect.size()), job.roots);
+    if (line.starts_with(kEffect)) return add(into, true, {.file = job.source.string()}, line.substr(kEffect.size()), job.roots);
     if (line.find("error") == std::string_view::npos) return;
     const std::size_t end = line.find("): "); // "file(3,42-67): There was an error compiling expression"
-    if (end == std::string_view::npos) return add(into, true, {.file = job.source.string(), .byte = {}}, line, job.roots);
+    if (end == std::string_view::npos) return add(into, true, {.file = job.source.string()}, line, job.roots);
     const SourcePosition at = readPlace(line.substr(0, end + 1), job);
     if (line.find("There was an error compiling expression") == std::string_view::npos || into.errors.empty())
         return add(into, true, at, line.substr(end + 3), job.roots);

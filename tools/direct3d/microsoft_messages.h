@@ -19,6 +19,6 @@ namespace tegument {
 /// out. A line is quoted from a file within the roots only: `#line` can name any.
 [[nodiscard]] Messages readMicrosoftMessages(std::string_view log, const std::filesystem::path& source,
                                              const std::vector<std::filesystem::path>& folders = {},
-                                             const Roots& roots = {.folders = {}, .anywhere = true});
+                                             const Roots& roots = {.anywhere = true});
 
 } // namespace tegument

@@ -106,7 +106,7 @@ std::vector<double> readDefault(const BlockMember& member, const std::vector<std
 }
 
 UniformBlock readBlock(const json& buffer, Sm5Reflection& into) {
-    UniformBlock block{.name = buffer.at("name").get<std::string>(), .size = whole<std::uint32_t>(buffer.at("size")), .members = {}};
+    UniformBlock block{.name = buffer.at("name").get<std::string>(), .size = whole<std::uint32_t>(buffer.at("size"))};
     for (const json& variable : buffer.at("members")) {
         block.members.push_back(readMember(variable));
         const json& words = variable.at("default");

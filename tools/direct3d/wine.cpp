@@ -36,8 +36,8 @@ public:
         if (const std::string own = ownDisplay(); !own.empty()) return own;
         if (server_ && server_->running()) return name_;
         server_.reset();
-        auto started = BackgroundProcess::start(
-            {.arguments = {"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp"}, .environment = {}});
+        auto started =
+            BackgroundProcess::start({.arguments = {"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp"}});
         if (!started) return started.error();
         for (auto line = started->readLine(kDisplaySeconds); line; line = started->readLine(kDisplaySeconds)) {
             if (line->find_first_not_of("0123456789") != std::string::npos || line->empty()) continue; // a warning on the same pipe

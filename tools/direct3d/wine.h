@@ -1,7 +1,7 @@
 #pragma once
 // Windows programs through Wine: one prefix in the cache, one virtual display, a time limit.
 
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 namespace tegument {
 

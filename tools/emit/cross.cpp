@@ -102,7 +102,7 @@ std::vector<CombinedSampler> nameSamplers(spirv_cross::Compiler& compiler) {
         ++texturesOf[pair.sampler_id];
     std::vector<CombinedSampler> combined;
     for (const auto& pair : compiler.get_combined_image_samplers()) {
-        CombinedSampler one{.name = {}, .texture = compiler.get_name(pair.image_id), .sampler = compiler.get_name(pair.sampler_id)};
+        CombinedSampler one{.texture = compiler.get_name(pair.image_id), .sampler = compiler.get_name(pair.sampler_id)};
         one.name = withoutSigns(texturesOf[pair.sampler_id] == 1 ? one.sampler : one.sampler + "_" + one.texture);
         combined.push_back(std::move(one));
     }
@@ -127,7 +127,7 @@ CrossShader toGlsl(const Shader& shader, bool es, const Varyings& written) {
     options.vertex.support_nonzero_base_instance = false; // layers are instances from 0; gl_BaseInstance would need an extension
     options.fragment.default_float_precision = spirv_cross::CompilerGLSL::Options::Highp;
     compiler.set_common_options(options);
-    CrossShader result{.text = {}, .entry = "main", .globals = {}, .samplers = {}, .buffers = {}, .textures = {}, .samplerSlots = {}};
+    CrossShader result{.entry = "main"};
     if (const auto dummy = compiler.build_dummy_sampler_for_combined_images(); dummy != 0) compiler.set_name(dummy, "fetch");
     compiler.build_combined_image_samplers();
     nameInterface(compiler, shader, written);
@@ -156,13 +156,7 @@ CrossShader toMsl(const Shader& shader, const Varyings& written) {
     options.pad_fragment_output_components = true;
     compiler.set_msl_options(options);
     nameInterface(compiler, shader, written);
-    CrossShader result{.text = {},
-                       .entry = {},
-                       .globals = nameGlobals(compiler, shader),
-                       .samplers = {},
-                       .buffers = {},
-                       .textures = {},
-                       .samplerSlots = {}};
+    CrossShader result{.globals = nameGlobals(compiler, shader)};
     result.text = compiler.compile();
     result.entry = compiler.get_cleansed_entry_point_name(shader.entry, compiler.get_execution_model());
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
@@ -186,7 +180,7 @@ Result<CrossShader> crossCompile(const Shader& shader, Target language, const Va
         if (language == Target::Msl) return toMsl(shader, written);
         return toGlsl(shader, language == Target::GlslEs, written);
     } catch (const spirv_cross::CompilerError& error) {
-        return inputError(3302, {.file = shader.file, .byte = {}},
+        return inputError(3302, {.file = shader.file},
                           fmt::format("{} cannot be written in {}: {}", shader.entry, rowOf(language).language, error.what()),
                           "leave this language out with --emit-kind, or write the code without that construct");
     }

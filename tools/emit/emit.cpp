@@ -149,7 +149,7 @@ Target sourceOf(Target target) {
 }
 
 Result<fs::path> emitEffect(const FileReport& report, const EmitOptions& options) {
-    if (report.failed()) return inputError(3301, {.file = report.file.string(), .byte = {}}, "did not pass and is not written");
+    if (report.failed()) return inputError(3301, {.file = report.file.string()}, "did not pass and is not written");
     const fs::path folder = options.folder / report.variant / report.file.stem();
     if (auto free = mayReplace(folder); !free) return free.error();
     Products products = emit::linkShaders(report);

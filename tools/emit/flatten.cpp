@@ -114,8 +114,7 @@ public:
 
 private:
     Result<void> fail(int code, const Token& at, std::string text, std::string hint) {
-        Diagnostic diagnostic{
-            .code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}};
+        Diagnostic diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint)};
         quote(diagnostic, sources_);
         return Error{Blame::Input, {std::move(diagnostic)}};
     }
@@ -369,7 +368,7 @@ constexpr std::array kEffectTargets = {"", "FX_D3D10", "FX_D3D11", "FX_ENTRY"};
 constexpr std::array kLibraryTargets = {"", "TEGUMENT_HLSL_3"};
 
 Error notMerged(const fs::path& file) {
-    return inputError(3305, {.file = file.string(), .byte = {}}, "the includes cannot be merged without changing what compilers read",
+    return inputError(3305, {.file = file.string()}, "the includes cannot be merged without changing what compilers read",
                       "does a file depend on its own name, or on __FILE__ or __LINE__?");
 }
 

@@ -36,8 +36,7 @@ const EntryPoint* entryOf(const FileReport& report, const std::optional<ShaderRe
 }
 
 LinkedShader linked(const EntryPoint& entry) {
-    LinkedShader shader{
-        .name = {}, .entry = &entry, .dxc = entry.dxc, .glslang = entry.glslang, .written = {}, .translated = {}, .files = {}};
+    LinkedShader shader{.entry = &entry, .dxc = entry.dxc, .glslang = entry.glslang};
     if (entry.stage == ShaderStage::Vertex && shader.spirv() != nullptr) shader.written = varyingsOf(*shader.spirv());
     return shader;
 }

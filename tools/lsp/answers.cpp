@@ -207,8 +207,6 @@ ShaderRequest requestOf(const Effect& effect, const ShaderUse& use) {
             .file = effect.file.string(),
             .entry = use.shader->entry,
             .stage = use.stage,
-            .defines = {},
-            .includeFolders = {},
             .language2018 = own};
 }
 
@@ -240,7 +238,7 @@ void addRegisters(Compiled& compiled, const Effect& effect, const ShaderUse& use
 std::optional<SourcePosition> definition(const Question& question) {
     if (const auto name = includeAt(question)) {
         const auto path = question.include(*name);
-        return path ? std::optional(SourcePosition{.file = *path, .line = 1, .column = 1, .byte = {}}) : std::nullopt;
+        return path ? std::optional(SourcePosition{.file = *path, .line = 1, .column = 1}) : std::nullopt;
     }
     const std::string word = wordAt(lineOf(question.text, question.line), question.column);
     if (const Declaration* declaration = declarationOf(question, word); !word.empty() && declaration) return declaration->at;

@@ -32,7 +32,7 @@ Colour errorColour(float error) {
 } // namespace
 
 Image lightOf(const Image& stored) {
-    Image light{.width = stored.width, .height = stored.height, .channels = kRgba, .pixels = {}, .metadata = stored.metadata};
+    Image light{.width = stored.width, .height = stored.height, .channels = kRgba, .metadata = stored.metadata};
     light.pixels.resize(static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height) * kRgba, 1);
     const bool bytes = stored.bitsPerChannel == kByteBits;
     for (int y = 0; y < stored.height; ++y)
@@ -59,7 +59,7 @@ std::string errorLine(const Result<Difference>& difference) {
 
 Image falseColours(const Image& image, const Image& reference) {
     Image colours = differenceImage(image, reference);
-    Image opaque{.width = colours.width, .height = colours.height, .channels = kRgba, .pixels = {}, .metadata = {}};
+    Image opaque{.width = colours.width, .height = colours.height, .channels = kRgba};
     opaque.pixels.reserve(colours.pixels.size() / 3 * kRgba);
     for (std::size_t first = 0; first + 2 < colours.pixels.size(); first += 3) {
         const float* error = &colours.pixels[first];

@@ -87,9 +87,7 @@ struct Program {
 };
 
 Result<Shader> compile(std::string_view entry, ShaderStage stage, Compiler compiler) {
-    return compileShader(
-        {.code = kCode, .file = "the viewer's canvas", .entry = std::string(entry), .stage = stage, .defines = {}, .includeFolders = {}},
-        compiler);
+    return compileShader({.code = kCode, .file = "the viewer's canvas", .entry = std::string(entry), .stage = stage}, compiler);
 }
 
 std::vector<gpu::VertexAttribute> attributesOf(const Shader& vertex) {
@@ -132,7 +130,6 @@ Result<Program> makeProgram(gpu::Device& device, const Shader& vertex, std::stri
                                                             .attributes = attributesOf(vertex),
                                                             .vertexStride = sizeof(CanvasVertex),
                                                             .colorFormats = {gpu::Format::RGBA8},
-                                                            .depthFormat = {},
                                                             .state = stateOf(blend)});
     if (!pipeline) return pipeline.error();
     return Program{std::move(*pixel), std::move(*pipeline)};
@@ -152,8 +149,7 @@ Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter, Filter m
                                  .mipFilter = Filter::Point,
                                  .addressU = Address::Clamp,
                                  .addressV = Address::Clamp,
-                                 .addressW = Address::Clamp,
-                                 .compare = {}});
+                                 .addressW = Address::Clamp});
 }
 
 /// One side of a quad, in clip space and in texture coordinates.
@@ -196,10 +192,6 @@ std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu
             CanvasVertex{r.at, b.at, r.uv, b.uv, color}, CanvasVertex{l.at, b.at, l.uv, b.uv, color}};
 }
 
-} // namespace
-
-namespace {
-
 /// One draw with everything that must live until it has run.
 struct Prepared {
     gpu::Texture* target = nullptr;
@@ -235,10 +227,8 @@ void Canvas::State::add(const Program& program, const gpu::Sampler& sampler, con
                                                        .clear = clear,
                                                        .block = globals ? layOut(*globals, constants) : std::vector<std::byte>(),
                                                        .vertices = {mesh.vertices.begin(), mesh.vertices.end()},
-                                                       .indices = {mesh.indices.begin(), mesh.indices.end()},
-                                                       .draw = {}});
+                                                       .indices = {mesh.indices.begin(), mesh.indices.end()}});
     prepared.draw = {.pipeline = &program.pipeline,
-                     .resources = {},
                      .vertexBytes = std::as_bytes(std::span(prepared.vertices)),
                      .indexBytes = std::as_bytes(std::span(prepared.indices)),
                      .count = static_cast<std::uint32_t>(prepared.indices.size())};
@@ -276,8 +266,7 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
                                                    .exact = std::move(*exact),
                                                    .show = std::move(*show),
                                                    .copy = std::move(*copy),
-                                                   .blend = std::move(*blend),
-                                                   .waiting = {}}));
+                                                   .blend = std::move(*blend)}));
 }
 
 Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {

@@ -15,7 +15,7 @@ void noteOnce(std::vector<std::string>& list, const std::string& text) {
 
 void noteArrow(std::vector<TargetArrow>& arrows, const std::string& from, const std::string& to, const std::string& pass) {
     auto found = std::ranges::find_if(arrows, [&](const TargetArrow& arrow) { return arrow.from == from && arrow.to == to; });
-    if (found == arrows.end()) found = arrows.insert(arrows.end(), {.from = from, .to = to, .passes = {}, .times = 0});
+    if (found == arrows.end()) found = arrows.insert(arrows.end(), {.from = from, .to = to, .times = 0});
     noteOnce(found->passes, pass);
     ++found->times;
 }

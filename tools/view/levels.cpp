@@ -105,7 +105,7 @@ Levels brightened(const Levels& levels, double stops) {
 }
 
 Image applyLevels(const Image& image, const Levels& levels) {
-    Image shown{.width = image.width, .height = image.height, .channels = 3, .pixels = {}, .metadata = {}};
+    Image shown{.width = image.width, .height = image.height, .channels = 3};
     const auto channels = static_cast<std::size_t>(image.channels);
     for (std::size_t first = 0; first < image.pixels.size(); first += channels)
         for (std::size_t c = 0; c < 3; ++c) {

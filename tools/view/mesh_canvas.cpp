@@ -91,9 +91,7 @@ std::vector<gpu::VertexAttribute> meshAttributes(const Shader& shader) {
 }
 
 Result<Shader> compileMeshShader(std::string_view entry, ShaderStage stage, Compiler compiler) {
-    return compileShader(
-        {.code = kMeshCode, .file = "the viewer's mesh", .entry = std::string(entry), .stage = stage, .defines = {}, .includeFolders = {}},
-        compiler);
+    return compileShader({.code = kMeshCode, .file = "the viewer's mesh", .entry = std::string(entry), .stage = stage}, compiler);
 }
 
 /// The block's bytes of one stage; the stages may know other members.
@@ -154,8 +152,8 @@ Result<std::unique_ptr<MeshCanvas>> MeshCanvas::create(gpu::Device& device, Comp
                                                             .depthFormat = gpu::Format::D32F,
                                                             .state = state});
     if (!pipeline) return pipeline.error();
-    std::unique_ptr<MeshCanvas> canvas(new MeshCanvas(std::unique_ptr<State>(new State{
-        .device = device, .vertex = std::move(*vertex), .pixel = std::move(*pixel), .pipeline = std::move(*pipeline), .vertices = {}})));
+    std::unique_ptr<MeshCanvas> canvas(new MeshCanvas(std::unique_ptr<State>(
+        new State{.device = device, .vertex = std::move(*vertex), .pixel = std::move(*pixel), .pipeline = std::move(*pipeline)})));
     if (const auto colored = canvas->color(meshes, show); !colored) return colored.error();
     return canvas;
 }
@@ -178,7 +176,7 @@ Result<void> MeshCanvas::draw(gpu::Texture& target, const Matrices& camera) {
         if (!made) return made.error();
         depth = std::move(*made);
     }
-    gpu::Draw draw{.pipeline = &state_->pipeline, .resources = {}, .vertices = &state_->vertices, .count = state_->count};
+    gpu::Draw draw{.pipeline = &state_->pipeline, .vertices = &state_->vertices, .count = state_->count};
     std::vector<std::vector<std::byte>> blocks;
     blocks.reserve(2);
     for (const Shader* shader : {&state_->vertex, &state_->pixel})

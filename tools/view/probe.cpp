@@ -39,7 +39,7 @@ glm::ivec2 texelAt(glm::dvec2 place, glm::ivec2 size) {
 }
 
 ProbedTexel probedTexel(std::string name, const Image& image, glm::dvec2 place) {
-    ProbedTexel texel{.name = std::move(name), .level = 0, .at = texelAt(place, {image.width, image.height}), .values = {}};
+    ProbedTexel texel{.name = std::move(name), .level = 0, .at = texelAt(place, {image.width, image.height})};
     if (image.width > 0 && image.height > 0)
         for (int c = 0; c < image.channels; ++c)
             texel.values.push_back(image.at(texel.at.x, texel.at.y, c));

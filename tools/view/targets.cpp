@@ -39,7 +39,7 @@ Result<const Image*> ShownTargets::image(gpu::Device& device, EffectSession& ses
     const auto found = images_.find({name, level});
     if (found != images_.end()) return &found->second;
     gpu::Texture* target = session.target(name);
-    if (!target) return inputError(4029, {.file = name, .byte = {}}, "the frame has no such target");
+    if (!target) return inputError(4029, {.file = name}, "the frame has no such target");
     auto image = run::readBack(device, *target, static_cast<std::uint32_t>(level));
     if (!image) return image.error();
     return &(images_[{name, level}] = std::move(*image));

@@ -112,8 +112,7 @@ void Viewer::readPresets() {
 Result<std::shared_ptr<const Adoption>> Viewer::readSource() const {
     LoadOptions load = request_.load;
     load.setting = state_.setting;
-    auto effect = readEffect(request_.effect, load,
-                             {.bind = state_.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height});
+    auto effect = readEffect(request_.effect, load, {.bind = state_.binds, .width = request_.run.width, .height = request_.run.height});
     if (!effect) return effect.error();
     return std::make_shared<const Adoption>(std::move(*effect));
 }

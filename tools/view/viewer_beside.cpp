@@ -133,8 +133,7 @@ std::vector<std::string> Viewer::probedBeside(const std::string& shown, glm::dve
         beside_->loaded ? probe(beside_->session(), shown, state_.level, place) : std::optional(probedTexel(shown, beside_->values, place));
     if (!here || !there) return {};
     if (beside_->display) {
-        const Image texel{
-            .width = 1, .height = 1, .channels = static_cast<int>(here->values.size()), .pixels = here->values, .metadata = {}};
+        const Image texel{.width = 1, .height = 1, .channels = static_cast<int>(here->values.size()), .pixels = here->values};
         here->values = displayLight(texel).pixels;
     }
     return besideLines(*here, *there);

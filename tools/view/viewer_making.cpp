@@ -25,12 +25,11 @@ ToRead Viewer::toRead(const ViewRequest& request, const Wanted& wanted) {
     return {.source = nullptr,
             .file = request.effect,
             .load = std::move(load),
-            .adopt = {.bind = wanted.binds, .technique = {}, .width = request.run.width, .height = request.run.height},
+            .adopt = {.bind = wanted.binds, .width = request.run.width, .height = request.run.height},
             .keeps = request.keeps,
             .scene = request.scene,
             .workspace = &request == &request_ ? state_.workspace : run::inWorld(request.workspace, request.scene),
-            .run = std::move(options),
-            .known = {}};
+            .run = std::move(options)};
 }
 
 void Viewer::load(std::string what, bool anew) {

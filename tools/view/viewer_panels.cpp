@@ -121,7 +121,7 @@ std::vector<std::string> Viewer::probed() {
 }
 
 PanelText Viewer::panelText() {
-    PanelText text{.lines = {}, .problem = problem_, .notice = notice_};
+    PanelText text{.problem = problem_, .notice = notice_};
     text.lines.push_back(
         fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
     text.lines.push_back(shownText(state_, frame_));

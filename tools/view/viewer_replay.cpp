@@ -34,8 +34,7 @@ public:
         if (edit.from.empty()) return file.change(file.content());
         const std::size_t at = text->find(edit.from);
         if (at == std::string::npos)
-            return inputError(kNoReplay, {.file = edit.file.string(), .byte = {}},
-                              "a step of the replay looks for what is not there: " + edit.from);
+            return inputError(kNoReplay, {.file = edit.file.string()}, "a step of the replay looks for what is not there: " + edit.from);
         std::string to = edit.to;
         if (const std::size_t asks = to.find(kNewDigits); asks != std::string::npos)
             to.replace(asks, std::string_view(kNewDigits).size(), digits_);
@@ -110,8 +109,7 @@ Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& step
         const Reaction reaction{.kind = next.kind, .milliseconds = millisecondsSince(begin), .unanswered = longestPiece_};
         reactions.insert(reactions.begin() + static_cast<std::ptrdiff_t>(mine), reaction);
         if (!problem_.empty())
-            return inputError(kNoReplay, {.file = request_.effect.string(), .byte = {}},
-                              "a step of the replay has no picture: " + problem_);
+            return inputError(kNoReplay, {.file = request_.effect.string()}, "a step of the replay has no picture: " + problem_);
         const bool moves = i + 1 < steps.size() && (steps[i + 1].kind == next.kind || steps[i + 1].soon);
         if (const auto sharp = moves ? Result<void>() : awaitSharp(reactions); !sharp) return sharp.error();
     }

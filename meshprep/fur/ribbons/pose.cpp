@@ -74,9 +74,7 @@ glm::dquat turnOf(const Frame& rest, const Frame& posed) {
 }
 
 Image textureLike(const Image& roots) {
-    Image image{.width = roots.width, .height = roots.height, .channels = 4};
-    image.pixels.assign(4 * static_cast<std::size_t>(roots.width) * static_cast<std::size_t>(roots.height), 0.0F);
-    return image;
+    return plainImage(roots.width, roots.height, 4);
 }
 
 float* texelsOf(Image& image, float address) {

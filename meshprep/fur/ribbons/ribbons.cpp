@@ -56,7 +56,7 @@ glm::vec3 colorAt(const FurMap& map, bool encoded, const FurSurface& surface, co
 
 Looks looksOf(const RootedMesh& rooted, const RibbonOptions& options, glm::dvec3& comb) {
     const std::size_t count = rooted.roots.size();
-    Looks looks{.direction = {}, .shortness = {}, .color = std::vector<glm::vec3>(count, glm::vec3(1))};
+    Looks looks{.color = std::vector<glm::vec3>(count, glm::vec3(1))};
     std::vector<glm::vec3> told;
     std::vector<float> regions;
     if (options.flowMap || options.colorMap || options.regionMap) {

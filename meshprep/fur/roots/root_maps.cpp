@@ -1,9 +1,9 @@
 #include "meshprep/fur/roots/root_maps.h"
 
-#include "host/mesh/vertex_values.h"
 #include "host/mesh/welding.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/fur/roots/vertex_values.h"
 
 #include <fmt/format.h>
 
@@ -87,7 +87,7 @@ Result<void> check(const std::filesystem::path& path, const VertexValues& file, 
         const std::vector<double>& values = file.values[k];
         const auto wrong = std::ranges::find_if(values, [&](double v) { return shares ? !(v >= 0 && v <= 1) : !std::isfinite(v); });
         if (wrong == values.end()) continue;
-        const SourcePosition at{.file = path.string(), .byte = {}};
+        const SourcePosition at{.file = path.string()};
         const std::string what = fmt::format("vertex {} has {} {}", wrong - values.begin(), names[k], *wrong);
         if (!std::isfinite(*wrong)) return inputError(7108, at, what + ", which is not finite", "mend the values of the vertices");
         const auto [low, high] = std::ranges::minmax(values);

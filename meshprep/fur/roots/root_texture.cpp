@@ -221,7 +221,7 @@ private:
         texture_.texels = rootAddress(firstRoot_, set_.roots.size());
         if (texture_.texels > kMostTexels) return tooLarge(set_.roots.size(), static_cast<double>(texture_.texels));
         const std::size_t rows = (texture_.texels + kRootColumns - 1) / kRootColumns;
-        texture_.image = {.width = kRootColumns, .height = static_cast<int>(rows), .channels = 4, .pixels = {}, .metadata = {}};
+        texture_.image = {.width = kRootColumns, .height = static_cast<int>(rows), .channels = 4};
         texture_.image.pixels.assign(rows * kRootColumns * 4, 0.0F);
         return {};
     }

@@ -41,7 +41,7 @@ protected:
         const auto known = reports.find(GetParam());
         if (known != reports.end()) return known->second;
         return reports[GetParam()] = checkEffects({file()}, {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvGlslang},
-                                                  {.includeFolders = {}, .allSettings = true});
+                                                  {.allSettings = true});
     }
 };
 
@@ -121,12 +121,11 @@ TEST_P(Matrix, the_table_of_resources_tells_what_the_passes_take) {
 /// The effect without includes, in a folder of its own, compiled likewise.
 CheckReport flattened(const fs::path& original) {
     const fs::path folder = fs::temp_directory_path() / ("tegument-flatten-" + std::to_string(::getpid()));
-    const auto text =
-        flattenEffect(original, {.defines = {}, .includeFolders = {}, .read = [](const fs::path& path) { return readFile(path); }});
+    const auto text = flattenEffect(original, {.read = [](const fs::path& path) { return readFile(path); }});
     EXPECT_TRUE(text) << (text ? "" : format(text.error()));
     const fs::path file = folder / original.filename();
     EXPECT_TRUE(writeFile(file, text ? *text : ""));
-    CheckReport report = checkEffects({file}, {Target::Fx2, Target::Fx4, Target::Fx5}, {.includeFolders = {}, .allSettings = true});
+    CheckReport report = checkEffects({file}, {Target::Fx2, Target::Fx4, Target::Fx5}, {.allSettings = true});
     fs::remove_all(folder);
     return report;
 }

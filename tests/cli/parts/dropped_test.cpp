@@ -292,7 +292,7 @@ TEST(Durations, are_read_at_a_glance) {
 
 TEST(SkinLinksFile, of_another_mesh_is_refused_and_of_the_same_taken) {
     const Links links;
-    SkinLinks made{.sheet = {.width = 4, .height = 4, .pixels = std::vector<float>(64), .metadata = {}}};
+    SkinLinks made{.sheet = {.width = 4, .height = 4, .pixels = std::vector<float>(64)}};
     ASSERT_TRUE(assets::writeSkinLinks(links.file, corner(1), made, {}));
     EXPECT_TRUE(assets::checkSkinLinks(links.file, corner(1)));
     const auto other = assets::checkSkinLinks(links.file, corner(3));

@@ -50,13 +50,7 @@ protected:
     }
     static MicrosoftResult compile(const fs::path& source, std::vector<std::pair<std::string, std::string>> defines = {},
                                    const std::string& profile = "ps_5_0") {
-        auto results = compileWithMicrosoft({{.profile = profile,
-                                              .entry = "PS",
-                                              .source = source,
-                                              .defines = std::move(defines),
-                                              .output = {},
-                                              .includeFolders = {},
-                                              .shader = {}}});
+        auto results = compileWithMicrosoft({{.profile = profile, .entry = "PS", .source = source, .defines = std::move(defines)}});
         if (results && results->size() == 1) return std::move(results->front());
         ADD_FAILURE() << "nothing was run";
         return {};

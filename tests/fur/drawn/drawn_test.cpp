@@ -36,7 +36,7 @@ Mesh squareOf(int quads) {
 /// Seen from above at 45 degrees, so near that the square fills the picture, and strands so fine that a pixel holds several of them: all
 /// that differs between pixels is their place.
 Result<Image> expected(gpu::Device& device, int quads) {
-    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {}, .includeFolders = {}});
+    const auto effect = loadEffect("effects/FurRoots.fx", {});
     if (!effect) return effect.error();
     const Mesh mesh = squareOf(quads);
     Workspace workspace = worldWorkspace();

@@ -200,8 +200,8 @@ TEST(Ribbons, of_pictures_that_hold_no_roots_are_refused) {
     Image cut = good;
     cut.height = 2;
     cut.pixels.resize(std::size_t{4} * static_cast<std::size_t>(cut.width) * 2);
-    const Image grey{.width = 4096, .height = 1, .channels = 1, .pixels = std::vector<float>(4096), .metadata = {}};
-    const Image narrow{.width = 16, .height = 16, .channels = 4, .pixels = std::vector<float>(1024), .metadata = {}};
+    const Image grey{.width = 4096, .height = 1, .channels = 1, .pixels = std::vector<float>(4096)};
+    const Image narrow{.width = 16, .height = 16, .channels = 4, .pixels = std::vector<float>(1024)};
     const std::pair<const char*, Image> all[] = {{"no rows", {}},
                                                  {"grey", grey},
                                                  {"narrow", narrow},
@@ -243,7 +243,7 @@ TEST(Ribbons, of_no_segment_or_too_many_and_flat_maps_without_coordinates_are_re
     EXPECT_EQ(codeOf(addRibbons(mesh, built.texture.image, {.segments = 16})), 7103);
     EXPECT_EQ(codeOf(addRibbons(mesh, built.texture.image, {.cluster = 0})), 7103);
     EXPECT_EQ(codeOf(addRibbons(mesh, built.texture.image, {.down = glm::dvec3(0)})), 7103);
-    const FurMap flat(DdsTexture{.images = {Image{.width = 1, .height = 1, .channels = 1, .pixels = {1}, .metadata = {}}}});
+    const FurMap flat(DdsTexture{.images = {Image{.width = 1, .height = 1, .channels = 1, .pixels = {1}}}});
     EXPECT_EQ(codeOf(addRibbons(mesh, built.texture.image, {.colorMap = flat})), 7106);
 }
 

@@ -26,7 +26,7 @@ inline RootSet rootsOf(const Mesh& mesh, const RootOptions& options) {
 }
 
 inline Built build(Mesh mesh, const RootOptions& options) {
-    Built built{.mesh = std::move(mesh), .set = {}, .texture = {}};
+    Built built{.mesh = std::move(mesh)};
     built.set = rootsOf(built.mesh, options);
     if (testing::Test::HasFailure()) return built;
     auto texture = buildRootTexture(built.set);

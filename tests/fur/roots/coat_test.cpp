@@ -17,16 +17,15 @@ using namespace tegument::testing_roots;
 namespace {
 
 FurMap densityHalves(float left, float right) {
-    Image image{.width = 2, .height = 1, .channels = 1, .pixels = {left, right}, .metadata = {}};
+    Image image{.width = 2, .height = 1, .channels = 1, .pixels = {left, right}};
     return FurMap(DdsTexture{.images = {image}});
 }
 
 /// A cube map that is white towards +Y and black elsewhere.
 FurMap whiteAbove() {
-    DdsTexture texture{.faces = 6, .images = {}};
+    DdsTexture texture{.faces = 6};
     for (int face = 0; face < 6; ++face)
-        texture.images.push_back(
-            {.width = 1, .height = 1, .channels = 3, .pixels = std::vector<float>(3, face == 2 ? 1.0F : 0.0F), .metadata = {}});
+        texture.images.push_back({.width = 1, .height = 1, .channels = 3, .pixels = std::vector<float>(3, face == 2 ? 1.0F : 0.0F)});
     return FurMap(std::move(texture));
 }
 
@@ -306,5 +305,5 @@ TEST(SurfaceFigures, travel_in_the_texture) {
     for (int channel = 0; channel < 4; ++channel)
         earlier.pixels[4 * 7 + static_cast<std::size_t>(channel)] = 0;
     EXPECT_FALSE(figuresIn(earlier)) << "files of earlier versions hold zeros there, and are not judged";
-    EXPECT_FALSE(figuresIn(Image{.width = 2, .height = 1, .channels = 4, .pixels = std::vector<float>(8, 1), .metadata = {}}));
+    EXPECT_FALSE(figuresIn(Image{.width = 2, .height = 1, .channels = 4, .pixels = std::vector<float>(8, 1)}));
 }

@@ -25,15 +25,15 @@ namespace {
 
 /// Two texels side by side.
 FurMap halves(const glm::vec3& left, const glm::vec3& right) {
-    Image image{.width = 2, .height = 1, .channels = 3, .pixels = {left.x, left.y, left.z, right.x, right.y, right.z}, .metadata = {}};
+    Image image{.width = 2, .height = 1, .channels = 3, .pixels = {left.x, left.y, left.z, right.x, right.y, right.z}};
     return FurMap(DdsTexture{.images = {image}});
 }
 
 /// A cube map of one colour a face.
 FurMap faces(const std::array<glm::vec3, 6>& colours) {
-    DdsTexture texture{.faces = 6, .images = {}};
+    DdsTexture texture{.faces = 6};
     for (const glm::vec3& c : colours)
-        texture.images.push_back({.width = 1, .height = 1, .channels = 3, .pixels = {c.x, c.y, c.z}, .metadata = {}});
+        texture.images.push_back({.width = 1, .height = 1, .channels = 3, .pixels = {c.x, c.y, c.z}});
     return FurMap(std::move(texture));
 }
 

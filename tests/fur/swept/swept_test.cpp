@@ -115,8 +115,7 @@ std::vector<double> drawn(gpu::Device& device, const FurPatch& patch, const FurV
                                 .height = view.size,
                                 .compiler = defaultCompiler(),
                                 .parameters = parameters,
-                                .textures = {{"gFurRootsMap", file.path()}},
-                                .dump = {}});
+                                .textures = {{"gFurRootsMap", file.path()}}});
     EXPECT_TRUE(run) << format(run.error());
     std::vector<double> picture;
     for (int y = 0; run && y < view.size; ++y)
@@ -174,7 +173,7 @@ TEST_F(Swept, as_many_layers_as_the_view_asks_for_show_what_all_do) {
 
 /// The picture of a technique on the patch, seen aslant.
 std::vector<float> aslant(gpu::Device& device, const std::string& technique, const std::map<std::string, std::vector<double>>& parameters) {
-    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     EXPECT_TRUE(effect) << format(effect.error());
     const Mesh mesh = plane();
     const FurPatch patch{.coat = 2};

@@ -44,8 +44,7 @@ TEST_P(Alone, every_header_compiles_to_spirv_in_every_setting) {
                                                .file = (header.parent_path() / "client.hlsl").string(),
                                                .entry = "main",
                                                .stage = ShaderStage::Pixel,
-                                               .defines = {{"TEGUMENT_SETTING", setting}},
-                                               .includeFolders = {}},
+                                               .defines = {{"TEGUMENT_SETTING", setting}}},
                                               GetParam());
             EXPECT_TRUE(shader) << header << " in setting " << setting << "\n" << format(shader.error());
         }
@@ -55,9 +54,7 @@ TEST_P(Alone, a_header_that_leaves_out_what_it_needs_is_found) {
     const auto shader = compileShader({.code = "float3 f(float3 v) { return tgSafeNormalize(v); }\n" + client("halves.fxh"),
                                        .file = "hlsl/surface/client.hlsl",
                                        .entry = "main",
-                                       .stage = ShaderStage::Pixel,
-                                       .defines = {},
-                                       .includeFolders = {}},
+                                       .stage = ShaderStage::Pixel},
                                       GetParam());
     EXPECT_FALSE(shader);
 }

@@ -12,7 +12,7 @@ int main(int count, char** arguments) {
     const tegument::CheckReport report = tegument::checkEffects({file}, {target});
     const tegument::FileReport& checked = report.files.front();
     if (report.failed() || !report.complete()) return 1;
-    const auto folder = tegument::emitEffect(checked, {.folder = "glsl", .kinds = {tegument::Target::Glsl}, .defines = {}});
+    const auto folder = tegument::emitEffect(checked, {.folder = "glsl", .kinds = {tegument::Target::Glsl}});
     if (!folder) return std::fprintf(stderr, "%s\n", tegument::format(folder.error()).c_str()), 1;
     int texts = 0;
     for (const auto& entry : std::filesystem::directory_iterator(*folder / "glsl"))

@@ -30,14 +30,11 @@ protected:
     }
 
     std::vector<Traffic> count(const std::string& technique, double turns = 5) {
-        const Scene scene{.name = "none", .file = {}, .workspace = {}, .mesh = {}};
+        const Scene scene{.name = "none", .workspace = {}, .mesh = {}};
         const Contest contest{.scene = scene, .width = kPicture, .height = kPicture, .mapSize = 64, .compiler = GetParam()};
         const Contender contender{.technique = technique,
                                   .setting = "corrected",
-                                  .variant = {},
-                                  .source = {},
                                   .effect = "tests/lab/bench/fixtures/counts.fx",
-                                  .defines = {},
                                   .parameters = {{"gTurns", {turns}}}};
         const auto traffic = trafficOf(*device_, contest, contender);
         EXPECT_TRUE(traffic) << format(traffic.error());
@@ -87,7 +84,7 @@ protected:
     RunResult draw(const BodyScene& stage, const std::string& technique, int setting, Defines defines, bool prepass = false) {
         defines.emplace_back("TEGUMENT_SETTING", std::to_string(setting));
         defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(kSize));
-        const auto effect = loadEffect("effects/Main.fx", {.defines = defines, .includeFolders = {}});
+        const auto effect = loadEffect("effects/Main.fx", {.defines = defines});
         EXPECT_TRUE(effect) << format(effect.error());
         RunOptions options{.technique = technique, .width = kSize, .height = kSize, .compiler = defaultCompiler(), .dump = {"all"}};
         options.parameters["gUsePrePass"] = {prepass ? 1.0 : 0.0};

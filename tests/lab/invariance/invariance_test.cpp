@@ -61,7 +61,7 @@ protected:
                                     const EngineScene& asItIs) {
         std::vector<std::pair<std::string, std::string>> defines{{"TEGUMENT_MAP_SIZE", "192"}};
         if (asItIs.workspace.parameters.contains("gLampPlace")) std::ranges::copy(lampDefines(), std::back_inserter(defines));
-        const auto effect = loadEffect(file, {.defines = defines, .includeFolders = {}});
+        const auto effect = loadEffect(file, {.defines = defines});
         EXPECT_TRUE(effect) << format(effect.error());
         const RunOptions run{.technique = technique, .width = 192, .height = 192, .compiler = defaultCompiler()};
         Painter painter(*device_, *effect, run);
@@ -73,7 +73,7 @@ protected:
         return compared->relativeL2;
     }
 
-    const EngineScene scene_{.mesh = invarianceMesh(), .placement = {}, .workspace = invarianceWorkspace()};
+    const EngineScene scene_{.mesh = invarianceMesh(), .workspace = invarianceWorkspace()};
 };
 
 /// A third of all, with the hardest of each column; all of them take minutes for an effect of fur.

@@ -34,7 +34,7 @@ ShadedPoint at(const Mesh& mesh, const RayScene& rays, double x, double y) {
 
 /// An image of one texel.
 EmbeddedTexture constantMap(const std::string& role, const glm::vec4& value) {
-    return {role, {.width = 1, .height = 1, .channels = 4, .pixels = {value.r, value.g, value.b, value.a}, .metadata = {}}};
+    return {role, {.width = 1, .height = 1, .channels = 4, .pixels = {value.r, value.g, value.b, value.a}}};
 }
 
 BssrdfOptions uncached() {

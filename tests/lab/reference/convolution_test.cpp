@@ -61,7 +61,7 @@ EdgeError errorAtEdge(const EdgePipeline& pipeline) {
 }
 
 TEST(SplineLevels, keep_what_is_even_and_what_rises_evenly) {
-    Image ramp{.width = 64, .height = 64, .channels = 2, .pixels = {}};
+    Image ramp{.width = 64, .height = 64, .channels = 2};
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             ramp.pixels.insert(ramp.pixels.end(), {3, 2 * (static_cast<float>(x) + 0.5F) - (static_cast<float>(y) + 0.5F)});

@@ -178,13 +178,6 @@ TEST(FurLattices, are_the_same_at_any_size_and_their_tints_vary_as_asked) {
     EXPECT_NEAR(most, 1.2, 0.01);
 }
 
-TEST(FurShells, show_strands_on_the_lowest_layer_too) {
-    const FurPatch patch;
-    const FurStrand strand = strandOf(patch, 3, 4);
-    EXPECT_EQ(shellHit(patch, {.x = strand.x, .y = strand.y}, 1), 0.5) << "half-way up the coat, on the axis of a strand";
-    EXPECT_EQ(shellHit(patch, {.x = strand.x + 0.955 * patch.baseRadius, .y = strand.y}, 20), 0.025) << "near its foot";
-}
-
 using namespace tegument::reference;
 
 constexpr float kHalf = 10; // mm

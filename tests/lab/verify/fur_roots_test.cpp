@@ -54,7 +54,7 @@ protected:
 
     /// The torus as verify draws it, with these parameters instead.
     Image draw(const Parameters& parameters = {}, int size = kSize) {
-        const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+        const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
         EXPECT_TRUE(effect) << format(effect.error());
         RunOptions options{.technique = GetParam(), .width = size, .height = size, .compiler = defaultCompiler()};
         options.parameters = parametersOf(scene_);

@@ -24,7 +24,7 @@ protected:
         if (IsSkipped()) return;
         scene_ = verify::furTorus({});
         folder_ = fs::temp_directory_path() / ("tegument-fur-test-" + std::to_string(::getpid()));
-        DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1, .images = {}};
+        DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1};
         for (int face = 0; face < 6; ++face)
             cube.images.push_back(verify::furPattern(32, face));
         const auto written = writeDds(folder_ / "cube.dds", cube);
@@ -43,7 +43,7 @@ protected:
 
     /// The torus as verify draws it, with these parameters instead.
     Image draw(const Parameters& parameters = {}, int size = 96) {
-        const auto effect = loadEffect("effects/Fur.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "256"}}, .includeFolders = {}});
+        const auto effect = loadEffect("effects/Fur.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "256"}}});
         EXPECT_TRUE(effect) << format(effect.error());
         RunOptions options{.technique = "CubePosition", .width = size, .height = size, .compiler = defaultCompiler()};
         options.parameters = verify::parametersOf(scene_.coat);

@@ -30,8 +30,7 @@ void PrintTo(const Sweep& sweep, std::ostream* out) {
 }
 
 LoadOptions load(int setting, int mapSize) {
-    return {.defines = {{"TEGUMENT_SETTING", std::to_string(setting)}, {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}},
-            .includeFolders = {}};
+    return {.defines = {{"TEGUMENT_SETTING", std::to_string(setting)}, {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}};
 }
 
 /// Every technique of every effect that draws skin or its tables.
@@ -143,15 +142,13 @@ protected:
         const auto number = static_cast<int>(std::ranges::find(kSettings, setting) - kSettings.begin());
         const auto effect = loadEffect("effects/Main.fx", load(number, 128));
         Mesh white = body();
-        white.textures = {{.role = "color", .image = {.width = 1, .height = 1, .channels = 4, .pixels = {1, 1, 1, 1}, .metadata = {}}}};
+        white.textures = {{.role = "color", .image = {.width = 1, .height = 1, .channels = 4, .pixels = {1, 1, 1, 1}}}};
         const auto run = runEffect(*device_, *effect, &white, fromTheSide(),
                                    {.technique = "DEonLuebke",
                                     .width = 128,
                                     .height = 128,
                                     .compiler = defaultCompiler(),
-                                    .parameters = {{"gSpecularIntensity", {0}}, {"gTransmission", {transmission}}},
-                                    .textures = {},
-                                    .dump = {}});
+                                    .parameters = {{"gSpecularIntensity", {0}}, {"gTransmission", {transmission}}}});
         EXPECT_TRUE(run) << format(run.error());
         float largest = 0;
         for (int y = 0; y < run->image.height; ++y)

@@ -21,7 +21,7 @@ AtlasChart rectangle(float width, float height, double surface, double density =
 
 /// Three sides of a square: a hollow that another chart fits into.
 AtlasChart horseshoe() {
-    AtlasChart chart{.triangles = {}, .surfaceMm2 = 7};
+    AtlasChart chart{.surfaceMm2 = 7};
     for (const auto& [low, high] : {std::pair(glm::vec2(0, 0), glm::vec2(3, 1)), std::pair(glm::vec2(0, 1), glm::vec2(1, 3)),
                                     std::pair(glm::vec2(2, 1), glm::vec2(3, 3))}) {
         chart.triangles.push_back({low, glm::vec2(high.x, low.y), high});
@@ -138,7 +138,7 @@ TEST(Unfold, an_upright_chart_stays) {
 
 TriangleSurface cubeSurface() {
     const QuadMesh cube = shapes::cube(1);
-    TriangleSurface surface{.positions = cube.positions, .normals = {}, .uvs = cube.uvs, .triangles = {}};
+    TriangleSurface surface{.positions = cube.positions, .uvs = cube.uvs};
     for (const glm::vec3& p : cube.positions)
         surface.normals.push_back(glm::normalize(p));
     for (const Quad& quad : cube.quads)

@@ -136,7 +136,7 @@ std::vector<std::uint8_t> hiddenInRow(std::size_t leastPatch, float rim) {
         row.positions.emplace_back(x, 1, 0);
     }
     for (std::uint32_t x = 0; x < 10; ++x)
-        row.quads.push_back({.position = {2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1}, .uv = {}});
+        row.quads.push_back({.position = {2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1}});
     std::vector<std::uint8_t> seen(10, 0);
     seen[0] = 1;
     return hiddenPatches(row.positions, row.quads, seen, leastPatch, rim);
@@ -230,7 +230,7 @@ double ridgeLeft(float times) {
     for (glm::vec3& p : bust.positions)
         if (p.x == kMiddle) p.z = 1;
     RegionMasks masks;
-    masks.ears = {.width = 1, .height = 1, .channels = 1, .pixels = {1}, .bitsPerChannel = 8, .metadata = {}};
+    masks.ears = {.width = 1, .height = 1, .channels = 1, .pixels = {1}, .bitsPerChannel = 8};
     sharpenEars(bust, masks, times);
     const Result<Subdivided> fine = subdivide(bust.positions, bust.uvs, bust.quads, 2);
     EXPECT_TRUE(fine);

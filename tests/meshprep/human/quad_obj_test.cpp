@@ -104,8 +104,7 @@ TEST(QuadObj, an_empty_text_is_an_empty_mesh) {
 }
 
 TEST(Charts, faces_that_share_a_coordinate_are_one_chart) {
-    const std::vector<Quad> quads = {
-        {.position = {}, .uv = {0, 1, 2, 3}}, {.position = {}, .uv = {6, 7, 8, 9}}, {.position = {}, .uv = {3, 4, 5, 2}}};
+    const std::vector<Quad> quads = {{.uv = {0, 1, 2, 3}}, {.uv = {6, 7, 8, 9}}, {.uv = {3, 4, 5, 2}}};
     EXPECT_EQ(chartsOf(quads), (std::vector<std::uint32_t>{0, 1, 0}));
 }
 

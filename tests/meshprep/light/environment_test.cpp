@@ -18,7 +18,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 Image panorama(int height, const std::function<double(const glm::dvec3&)>& radiance) {
-    Image image{.width = 2 * height, .height = height, .channels = 3, .pixels = {}};
+    Image image{.width = 2 * height, .height = height, .channels = 3};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < 2 * height; ++x)
             image.pixels.insert(image.pixels.end(), 3,

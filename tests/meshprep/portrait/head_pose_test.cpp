@@ -67,7 +67,7 @@ std::optional<Head> bodysHead() {
     float top = -INFINITY;
     for (const std::uint32_t i : all.indices)
         top = std::max(top, all.positions[i].y);
-    Head head{.positions = all.positions, .indices = {}};
+    Head head{.positions = all.positions};
     for (std::size_t i = 0; i < all.indices.size(); i += 3) {
         bool inside = true;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -84,11 +84,11 @@ std::string windowsLines(std::string text) {
 }
 
 Expected fails(int code, int line = 0, std::optional<std::size_t> byte = {}) {
-    return {.error = code, .line = line, .byte = byte, .step = {}};
+    return {.error = code, .line = line, .byte = byte};
 }
 
 Expected gives(std::size_t vertices, std::size_t triangles, std::string step = {}, std::size_t changed = 0) {
-    return {.byte = {}, .vertices = vertices, .triangles = triangles, .step = std::move(step), .changed = changed};
+    return {.vertices = vertices, .triangles = triangles, .step = std::move(step), .changed = changed};
 }
 
 class Collection {

@@ -19,16 +19,14 @@ public:
     std::vector<HardFile> files;
 
     void fails(int number, std::string name, std::string bytes, int code) {
-        files.push_back({.number = number,
-                         .name = std::move(name),
-                         .bytes = std::move(bytes),
-                         .expected = {.error = code, .byte = {}, .step = {}, .anywhere = true}});
+        files.push_back(
+            {.number = number, .name = std::move(name), .bytes = std::move(bytes), .expected = {.error = code, .anywhere = true}});
     }
     void gives(int number, std::string name, std::string bytes, std::size_t vertices, std::size_t triangles, int warning = 0) {
         files.push_back({.number = number,
                          .name = std::move(name),
                          .bytes = std::move(bytes),
-                         .expected = {.byte = {}, .vertices = vertices, .triangles = triangles, .step = {}, .warning = warning}});
+                         .expected = {.vertices = vertices, .triangles = triangles, .warning = warning}});
     }
 };
 

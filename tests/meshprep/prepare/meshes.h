@@ -36,7 +36,7 @@ protected:
 };
 
 inline prep::Surface surfaceOf(Mesh mesh) {
-    prep::Surface surface{.mesh = std::move(mesh), .point = {}};
+    prep::Surface surface{.mesh = std::move(mesh)};
     prep::findPlaces(surface, {});
     return surface;
 }

@@ -1,6 +1,6 @@
 // What a file holds is in what is written, or a warning names it.
 #include "host/image/image.h"
-#include "host/mesh/vertex_values.h"
+#include "meshprep/fur/roots/vertex_values.h"
 #include "tests/meshprep/prepare/glb_text.h"
 #include "tests/meshprep/prepare/meshes.h"
 

@@ -397,8 +397,8 @@ TEST_F(Prepare, contradicting_weld_options_are_refused) {
     const struct {
         SamePlace same;
         int code;
-    } cases[] = {{{.epsilon = -1, .decimals = {}}, 7022},
-                 {{.epsilon = NAN, .decimals = {}}, 7022},
+    } cases[] = {{{.epsilon = -1}, 7022},
+                 {{.epsilon = NAN}, 7022},
                  {{.epsilon = 0, .decimals = 13}, 7023},
                  {{.epsilon = 0, .decimals = -1}, 7023},
                  {{.epsilon = 1, .decimals = 6}, 7024}};

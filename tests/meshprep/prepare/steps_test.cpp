@@ -31,7 +31,7 @@ std::size_t distinct(const Surface& surface) {
 }
 
 std::size_t placesOf(std::vector<glm::vec3> positions, const SamePlace& same) {
-    Surface surface{.mesh = meshOf(std::move(positions), {}), .point = {}};
+    Surface surface{.mesh = meshOf(std::move(positions), {})};
     findPlaces(surface, same);
     EXPECT_EQ(distinct(surface), surface.pointCount);
     return surface.pointCount;
@@ -96,12 +96,12 @@ TEST(Places, within_epsilon_do_not_creep_along_a_row_of_near_points) {
     for (int i = 0; i < 100; ++i)
         row.emplace_back(0.6f * static_cast<float>(i), 0, 0);
     // each is within 1 of its neighbours only: every second one starts a place
-    EXPECT_EQ(placesOf(row, {.epsilon = 1, .decimals = {}}), 50u);
+    EXPECT_EQ(placesOf(row, {.epsilon = 1}), 50u);
 }
 
 TEST(Places, within_epsilon_are_found_across_the_cells_of_the_grid) {
     for (const float at : {-3.0f, -1e-6f, 0.0f, 7.0f})
-        EXPECT_EQ(placesOf({{at - 0.4f, 0, at}, {at + 0.4f, 0, at}}, {.epsilon = 1, .decimals = {}}), 1u) << at;
+        EXPECT_EQ(placesOf({{at - 0.4f, 0, at}, {at + 0.4f, 0, at}}, {.epsilon = 1}), 1u) << at;
 }
 
 TEST(Places, of_huge_coordinates_are_exact) {
@@ -238,8 +238,8 @@ TEST(CentreOf, the_box_is_moved_by_what_its_vertices_are_moved_by) {
 
 TEST(CentreOf, a_moved_mesh_keeps_as_many_places_as_it_had) {
     // near the origin floats are finer than at the mesh's middle: moving rounds these two onto each other
-    Surface surface{.mesh = meshOf({{1e-6f, 0, 0}, {1.01e-6f, 0, 0}, {2000, 0, 0}, {0, 1000, 0}}, {0, 2, 3, 1, 2, 3}), .point = {}};
-    findPlaces(surface, {.epsilon = 0, .decimals = {}}); // not closed as a crack
+    Surface surface{.mesh = meshOf({{1e-6f, 0, 0}, {1.01e-6f, 0, 0}, {2000, 0, 0}, {0, 1000, 0}}, {0, 2, 3, 1, 2, 3})};
+    findPlaces(surface, {.epsilon = 0}); // not closed as a crack
     centre(surface, CentreMode::Ball);
     makeNormals(surface, {});
     EXPECT_EQ(surface.pointCount, 4u);

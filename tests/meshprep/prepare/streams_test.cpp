@@ -3,8 +3,8 @@
 // Colours and properties of a scan's vertices, at the same places whatever is done to the mesh.
 
 #include "host/mesh/read_mesh.h"
-#include "host/mesh/vertex_values.h"
 #include "host/support/file.h"
+#include "meshprep/fur/roots/vertex_values.h"
 #include "tests/meshprep/prepare/glb_text.h"
 #include "tests/meshprep/prepare/meshes.h"
 

@@ -31,7 +31,7 @@ Surface torus() {
             const auto at = [&](std::uint32_t x, std::uint32_t y) { return x % kRound * kAround + y % kAround; };
             indices.insert(indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
         }
-    Surface surface{.mesh = meshOf(std::move(positions), std::move(indices)), .point = {}};
+    Surface surface{.mesh = meshOf(std::move(positions), std::move(indices))};
     const auto half = static_cast<std::uint32_t>(surface.mesh.indices.size() / 2);
     surface.mesh.parts = {{.name = "a", .firstIndex = 0, .indexCount = half}, {.name = "b", .firstIndex = half, .indexCount = half}};
     findPlaces(surface, {});
@@ -192,7 +192,7 @@ TEST_F(Unwrap, is_the_same_each_time) {
 }
 
 TEST_F(Unwrap, of_triangles_without_area_is_refused) {
-    Surface line{.mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2}), .point = {}};
+    Surface line{.mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2})};
     findPlaces(line, {});
     const auto made = unwrap(line);
     ASSERT_FALSE(made);

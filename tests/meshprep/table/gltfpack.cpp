@@ -2,7 +2,7 @@
 
 #include "host/mesh/glb.h"
 #include "host/mesh/read_mesh.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <chrono>
 #include <string>
@@ -23,7 +23,7 @@ std::optional<Packed> packedBy(const fs::path& tools, const Mesh& mesh, double s
     std::vector<std::string> arguments = {"node", program.string(), "-i", stem + ".glb", "-o", stem + "-packed.glb", "-noq", "-kn"};
     if (share < 1) arguments.insert(arguments.end(), {"-si", std::to_string(share), "-se", "1"});
     const auto start = std::chrono::steady_clock::now();
-    const auto ran = runProcess({.arguments = arguments, .environment = {}}, 120);
+    const auto ran = runProcess({.arguments = arguments}, 120);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::optional<Packed> packed;
     if (ran && ran->exitCode == 0)

@@ -212,7 +212,7 @@ std::vector<std::pair<std::string, Mesh>> generated() {
                                                std::tuple("torus", Shape::Torus, std::array{0, 0, 0, 0, 0, 0})})
         for (const int detail : details) {
             Mesh mesh = makeShape(shape, detail);
-            Surface surface{.mesh = std::move(mesh), .point = {}};
+            Surface surface{.mesh = std::move(mesh)};
             findPlaces(surface, {});
             makeNormals(surface, {});
             computeBounds(surface.mesh);

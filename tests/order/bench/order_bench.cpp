@@ -24,7 +24,7 @@ const Triangles& sphere(std::int64_t detail) {
 }
 
 Triangles fan(std::int64_t valence) {
-    Triangles out{.name = "fan", .positions = std::vector<glm::vec3>(static_cast<std::size_t>(valence) + 1), .indices = {}};
+    Triangles out{.name = "fan", .positions = std::vector<glm::vec3>(static_cast<std::size_t>(valence) + 1)};
     const auto rim = static_cast<std::uint32_t>(valence);
     for (std::uint32_t i = 0; i < rim; ++i)
         out.indices.insert(out.indices.end(), {0, 1 + i, 1 + (i + 1) % rim});

@@ -88,8 +88,7 @@ Result<Stage> makeStage() {
         .vertexStride = sizeof(Vertex),
         .topology = gpu::Topology::TriangleList,
         .colorFormats = {gpu::Format::RGBA8},
-        .depthFormat = gpu::Format::D32F,
-        .state = {}};
+        .depthFormat = gpu::Format::D32F};
     desc.state.cull = CullMode::None;
     auto pipeline = device->createPipeline(desc);
     if (!pipeline) return pipeline.error();
@@ -172,7 +171,7 @@ std::size_t differences(const std::vector<std::byte>& a, const std::vector<std::
 }
 
 Result<void> writePicture(const std::string& path, const std::vector<std::byte>& bytes, const std::string& meshName) {
-    Image image{.width = static_cast<int>(kWidth), .height = static_cast<int>(kHeight), .channels = 4, .pixels = {}};
+    Image image{.width = static_cast<int>(kWidth), .height = static_cast<int>(kHeight), .channels = 4};
     for (const std::byte value : bytes)
         image.pixels.push_back(static_cast<float>(std::to_integer<int>(value)) / 255.0f);
     image.metadata = {{"mesh", meshName}};

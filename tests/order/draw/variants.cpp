@@ -24,7 +24,7 @@ Variant indexed(const std::string& name, const Mesh& mesh) {
 }
 
 Variant unindexed(const Mesh& mesh) {
-    Variant out{.name = "unindexed", .vertices = {}, .indices = {}};
+    Variant out{.name = "unindexed"};
     out.vertices.reserve(mesh.indices.size());
     for (const std::uint32_t v : mesh.indices)
         out.vertices.push_back({.position = mesh.positions[v], .normal = mesh.normals[v]});

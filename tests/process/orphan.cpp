@@ -1,6 +1,6 @@
 // Starts a program beside itself from a thread that ends, says which, and is killed before anything is tidied up: for process_test.cpp.
 
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <csignal>
 #include <cstdio>
@@ -8,7 +8,7 @@
 
 int main() {
     std::thread([] {
-        auto child = tegument::BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}, .environment = {}});
+        auto child = tegument::BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}});
         if (!child) return;
         std::puts(child->readLine(20).value_or("nothing").c_str());
         std::fflush(stdout);

@@ -1,5 +1,4 @@
-#include "host/support/children.h"
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -16,7 +15,7 @@ namespace tegument::test {
 namespace {
 
 Result<ProcessResult> shell(const std::string& script, double timeoutSeconds = 20) {
-    return runProcess({.arguments = {"sh", "-c", script}, .environment = {}}, timeoutSeconds);
+    return runProcess({.arguments = {"sh", "-c", script}}, timeoutSeconds);
 }
 
 /// One letter of the system: R runs, S sleeps, Z has ended and nobody has waited for it; 0: there is no such process.
@@ -50,7 +49,7 @@ struct Background {
 };
 
 Background background(const std::string& script) {
-    auto started = BackgroundProcess::start({.arguments = {"sh", "-c", script}, .environment = {}});
+    auto started = BackgroundProcess::start({.arguments = {"sh", "-c", script}});
     EXPECT_TRUE(started) << format(started.error());
     Background result{.process = std::move(*started)};
     result.id = std::stoi(result.process.readLine(20).value_or("0"));
@@ -67,7 +66,7 @@ TEST(Process, output_and_exit_code_come_back) {
 }
 
 TEST(Process, arguments_reach_the_program_as_they_are) {
-    const auto result = runProcess({.arguments = {"printf", "%s|", "a b", "$HOME", "\"q\"", ""}, .environment = {}}, 20);
+    const auto result = runProcess({.arguments = {"printf", "%s|", "a b", "$HOME", "\"q\"", ""}}, 20);
     ASSERT_TRUE(result) << format(result.error());
     EXPECT_EQ(result->output, "a b|$HOME|\"q\"||");
 }
@@ -151,7 +150,7 @@ TEST(Process, signals_that_the_caller_lets_through_reach_the_program) {
 }
 
 TEST(Process, a_missing_program_is_an_error_that_names_it) {
-    const auto result = runProcess({.arguments = {"tegument-no-such-program"}, .environment = {}}, 20);
+    const auto result = runProcess({.arguments = {"tegument-no-such-program"}}, 20);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().blame, Blame::Machine);
     EXPECT_EQ(result.error().diagnostics[0].code, 5003);
@@ -163,21 +162,21 @@ TEST(Process, a_folder_is_no_program) {
 }
 
 TEST(BackgroundProcess, its_lines_can_be_read_while_it_runs) {
-    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo first; sleep 60"}, .environment = {}});
+    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo first; sleep 60"}});
     ASSERT_TRUE(process) << format(process.error());
     EXPECT_EQ(process->readLine(20), "first");
     EXPECT_TRUE(process->running());
 }
 
 TEST(BackgroundProcess, lines_that_come_together_are_read_one_by_one) {
-    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "printf 'first\\nsecond\\n'; sleep 60"}, .environment = {}});
+    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "printf 'first\\nsecond\\n'; sleep 60"}});
     ASSERT_TRUE(process) << format(process.error());
     EXPECT_EQ(process->readLine(20), "first");
     EXPECT_EQ(process->readLine(20), "second");
 }
 
 TEST(BackgroundProcess, a_silent_one_gives_no_line) {
-    auto process = BackgroundProcess::start({.arguments = {"sleep", "60"}, .environment = {}});
+    auto process = BackgroundProcess::start({.arguments = {"sleep", "60"}});
     ASSERT_TRUE(process) << format(process.error());
     EXPECT_FALSE(process->readLine(0.1));
 }
@@ -185,7 +184,7 @@ TEST(BackgroundProcess, a_silent_one_gives_no_line) {
 TEST(BackgroundProcess, destruction_ends_it) {
     pid_t id = 0;
     {
-        auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}, .environment = {}});
+        auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "echo $$; exec sleep 60"}});
         ASSERT_TRUE(process) << format(process.error());
         id = std::stoi(process->readLine(20).value_or("0"));
         ASSERT_GT(id, 0);
@@ -201,7 +200,7 @@ TEST(BackgroundProcess, outlives_the_thread_that_started_it) {
 }
 
 TEST(BackgroundProcess, ends_with_the_process_that_started_it) {
-    const auto orphan = runProcess({.arguments = {TEGUMENT_ORPHAN}, .environment = {}}, 30);
+    const auto orphan = runProcess({.arguments = {TEGUMENT_ORPHAN}}, 30);
     ASSERT_TRUE(orphan) << format(orphan.error());
     ASSERT_EQ(orphan->exitCode, 128 + SIGKILL) << orphan->output;
     const pid_t id = std::stoi(orphan->output);
@@ -250,81 +249,6 @@ TEST(BackgroundProcess, one_that_ignores_the_request_to_end_is_killed) {
         id = stubborn.id;
     }
     EXPECT_EQ(stateOf(id), '\0');
-}
-
-constexpr double kPlenty = 60; // seconds: of a busy machine
-
-/// Does what it is told, and says in which process.
-std::string obey(std::string_view request) {
-    if (request == "crash") std::raise(SIGSEGV);
-    if (request == "leave") _exit(3);
-    if (request == "hang") pause();
-    if (request == "throw") throw std::runtime_error("no");
-    if (request == "long") return std::string(5'000'000, 'x');
-    return std::to_string(getpid()) + " " + std::string(request);
-}
-
-class ChildrenOfOurs : public testing::Test {
-protected:
-    std::shared_mutex busy_;
-    Children children_{obey, busy_};
-
-    std::string ask(const std::string& request) {
-        const ChildAnswer answer = children_.ask(request, kPlenty);
-        EXPECT_TRUE(answer.answered) << request;
-        return answer.bytes;
-    }
-};
-
-TEST_F(ChildrenOfOurs, answer_from_a_process_of_their_own_that_is_kept) {
-    const std::string first = ask("a");
-    EXPECT_EQ(first.substr(first.find(' ')), " a");
-    EXPECT_NE(first.substr(0, first.find(' ')), std::to_string(getpid()));
-    EXPECT_EQ(ask("a"), first);
-}
-
-TEST_F(ChildrenOfOurs, may_crash_and_the_next_one_answers) {
-    const ChildAnswer crashed = children_.ask("crash", kPlenty);
-    EXPECT_FALSE(crashed.answered);
-    EXPECT_EQ(crashed.signal, SIGSEGV);
-    EXPECT_FALSE(crashed.timedOut);
-    EXPECT_FALSE(ask("b").empty());
-}
-
-TEST_F(ChildrenOfOurs, may_leave_or_throw) {
-    for (const char* request : {"leave", "throw"}) {
-        const ChildAnswer left = children_.ask(request, kPlenty);
-        EXPECT_FALSE(left.answered) << request;
-        EXPECT_EQ(left.signal, 0) << request;
-    }
-    EXPECT_FALSE(ask("c").empty());
-}
-
-TEST_F(ChildrenOfOurs, are_ended_when_they_take_too_long) {
-    const ChildAnswer hung = children_.ask("hang", 0.1);
-    EXPECT_FALSE(hung.answered);
-    EXPECT_TRUE(hung.timedOut);
-    EXPECT_FALSE(ask("d").empty());
-}
-
-TEST_F(ChildrenOfOurs, carry_long_messages) {
-    EXPECT_EQ(ask("long").size(), 5'000'000U);
-    const std::string request(3'000'000, 'y');
-    EXPECT_TRUE(ask(request).ends_with(request));
-}
-
-TEST_F(ChildrenOfOurs, serve_several_threads_at_once) {
-    std::vector<std::string> answers(4);
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            threads.emplace_back([&, i] {
-                for (int round = 0; round < 20; ++round)
-                    answers[i] = children_.ask(round % 5 == 4 && i == 0 ? "crash" : "e" + std::to_string(i), kPlenty).bytes;
-            });
-    }
-    for (std::size_t i = 1; i < answers.size(); ++i)
-        EXPECT_TRUE(answers[i].ends_with(" e" + std::to_string(i)));
 }
 
 } // namespace

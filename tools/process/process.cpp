@@ -1,6 +1,6 @@
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
-#include "host/support/any_process.h"
+#include "tools/process/any_process.h"
 
 #include <fmt/format.h>
 
@@ -182,8 +182,7 @@ Result<Started> spawn(const ProcessCommand& command) {
                   .environment = const_cast<char**>(environmentPointers.data()),
                   .output = ends[1],
                   .errors = errors[1],
-                  .maxBytes = command.maxBytes,
-                  .signals = {}};
+                  .maxBytes = command.maxBytes};
     pthread_sigmask(SIG_SETMASK, nullptr, &child.signals);
     const auto [id, error] = Forker::ofThisProcess().fork(child);
     close(ends[1]);

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace tegument {
+namespace tegument::bench {
 
 enum class Access { Call, Read, Write };
 
@@ -37,4 +37,4 @@ inline constexpr std::uint32_t kUnknownPlace = UINT32_MAX;
 /// count. Depth is tested before the shader runs, where it neither discards pixels nor writes depth, as it would be without counting.
 [[nodiscard]] CountedShader countAccesses(const Shader& shader);
 
-} // namespace tegument
+} // namespace tegument::bench

@@ -32,9 +32,6 @@ struct ProcessResult {
 /// The program's file, if there is one that we may execute.
 [[nodiscard]] std::optional<std::filesystem::path> findProgram(const std::string& name);
 
-/// The folder of the running program, or the nearest above it, that holds this file or folder: the tree or the build that it belongs to.
-[[nodiscard]] std::optional<std::filesystem::path> folderAboveProgramWith(const std::filesystem::path& named);
-
 /// Runs to the end, or kills the whole process group after `timeoutSeconds`. TG5003 if it cannot be started, or if its exit code is lost
 /// because the process ignores SIGCHLD.
 [[nodiscard]] Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSeconds);

@@ -1,6 +1,6 @@
-#include "host/support/process.h"
+#include "tools/process/process.h"
 
-#include "host/support/any_process.h"
+#include "tools/process/any_process.h"
 
 #include "host/support/windows/wide.h"
 

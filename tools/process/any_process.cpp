@@ -1,9 +1,8 @@
 // What process.h offers and no system does differently.
 
-#include "host/support/any_process.h"
+#include "tools/process/any_process.h"
 
-#include "host/support/process.h"
-#include "host/support/system.h"
+#include "tools/process/process.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,14 +10,6 @@
 namespace tegument {
 
 namespace fs = std::filesystem;
-
-std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
-    std::error_code code;
-    if (named.empty()) return std::nullopt;
-    for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::exists(folder / named, code)) return folder;
-    return std::nullopt;
-}
 
 std::optional<fs::path> findInFolders(NativeView folders, fs::path::value_type separator, const fs::path& name,
                                       const std::function<std::optional<fs::path>(const fs::path&)>& asProgram) {

@@ -1,11 +1,11 @@
-#include "host/spirv/count.h"
+#include "lab/bench/count.h"
 
 #include "host/spirv/instructions.h"
 
 #include <map>
 #include <set>
 
-namespace tegument {
+namespace tegument::bench {
 
 namespace {
 
@@ -229,4 +229,4 @@ CountedShader countAccesses(const Shader& shader) {
     return counted;
 }
 
-} // namespace tegument
+} // namespace tegument::bench

@@ -1,4 +1,4 @@
-#include "host/mesh/vertex_values.h"
+#include "meshprep/fur/roots/vertex_values.h"
 
 #include "host/image/image.h"
 #include "host/mesh/ply_values.h"
@@ -46,7 +46,7 @@ public:
             values_.skip(element);
             if (values_.error()) return *values_.error();
         }
-        return noSuchProperty(source_, {.name = "vertex", .line = 1, .properties = {}}, names.front());
+        return noSuchProperty(source_, {.name = "vertex", .line = 1}, names.front());
     }
 
 private:
@@ -84,7 +84,7 @@ Result<VertexValues> ofGltf(const Source& source, std::span<const std::string> n
     auto file = readMesh(source.path, {.unitMm = source.unitMm});
     if (!file) return file.error();
     const Mesh& mesh = file->mesh;
-    VertexValues found{.positions = mesh.positions, .values = {}, .whole = {}};
+    VertexValues found{.positions = mesh.positions};
     constexpr std::array<std::string_view, 4> kChannels = {"red", "green", "blue", "alpha"};
     for (const std::string& name : names) {
         const auto known = std::ranges::find(mesh.attributes, name, &MeshAttribute::name);
@@ -101,12 +101,11 @@ Result<VertexValues> ofGltf(const Source& source, std::span<const std::string> n
                 values.push_back(static_cast<double>(c < 3 ? linearToSrgb(color[c]) : color[c]));
             found.whole.push_back(true);
         } else {
-            PlyElement element{.name = "vertex", .line = 0, .properties = {}};
+            PlyElement element{.name = "vertex", .line = 0};
             for (const MeshAttribute& attribute : mesh.attributes)
-                element.properties.push_back({.name = attribute.name, .type = attribute.type, .listCount = {}});
+                element.properties.push_back({.name = attribute.name, .type = attribute.type});
             for (const std::string_view c : kChannels)
-                if (!mesh.colors.empty())
-                    element.properties.push_back({.name = std::string(c), .type = NumberType::Uint8, .listCount = {}});
+                if (!mesh.colors.empty()) element.properties.push_back({.name = std::string(c), .type = NumberType::Uint8});
             return noSuchProperty(source, element, name);
         }
     }

@@ -167,6 +167,10 @@ bool isPainted(const fs::path& file) {
 
 namespace {
 
+bool anyPainted(const std::map<std::string, std::string>& textures) {
+    return std::ranges::any_of(textures, [](const auto& entry) { return isPainted(entry.second); });
+}
+
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
     if (path.empty() && options.foreign) return ball();
@@ -177,8 +181,7 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (options.head) load.expectHead = *options.head;
     load.guessUnit = !options.mesh.empty() && !load.expectHead && !options.portrait;
     load.roots = options.roots;
-    load.ownCoordinates =
-        options.pictures || std::ranges::any_of(workspace.textures, [](const auto& entry) { return isPainted(entry.second); });
+    load.ownCoordinates = options.pictures || anyPainted(workspace.textures);
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, attributionOf(options, workspace));
 }
 
@@ -211,14 +214,16 @@ void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspa
 
 /// Objects whose meshes are read alike share one.
 Result<void> loadObjects(Scene& scene, const Roots& roots) {
-    std::map<std::tuple<std::string, std::optional<double>, bool, float, std::string>, const Mesh*> known;
+    std::map<std::tuple<std::string, std::optional<double>, bool, float, bool, std::string>, const Mesh*> known;
     for (const SceneObject& object : scene.workspace.objects) {
         const fs::path path = beside(scene.workspace, object.meshPath);
         const float judged = object.head ? object.placement.scale.y : 0; // a head's size is judged with it
-        const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, judged, object.attribution}];
+        const bool painted = anyPainted(object.textures) || anyPainted(scene.workspace.textures);
+        const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, judged, painted, object.attribution}];
         if (!mesh) {
             MeshOptions load = meshOptions(object);
             load.roots = roots;
+            load.ownCoordinates = painted;
             auto read = readMesh(path, load, object.attribution);
             if (!read) return read.error();
             mesh = &scene.meshes.emplace_back(std::move(*read));

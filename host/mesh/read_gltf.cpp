@@ -479,7 +479,23 @@ void GltfTextures::finish(ReadMesh& read) {
     useFirst(read.mesh);
 }
 
-/// All materials as they are, with the files of their pictures. A picture that is not there or is none is left out: TG5328, a warning.
+/// Whether what is carried has the types that glTF gives it: numbers, arrays of numbers, objects, and references to textures that are
+/// there.
+bool isWellTyped(const Json& value, const std::string& key, std::size_t textures) {
+    const auto all = [&](const auto& good) { return std::ranges::all_of(value, good); };
+    if (key == "index") return value.is_number_unsigned() && value.get<std::size_t>() < textures;
+    if (key.ends_with("Factor") || key == "scale" || key == "strength" || key == "alphaCutoff" || key == "offset" || key == "rotation")
+        return value.is_number() || (value.is_array() && all([](const Json& number) { return number.is_number(); }));
+    if (key == "texCoord") return value.is_number_unsigned();
+    const bool isReference = key.ends_with("Texture");
+    const bool isObject = isReference || key.empty() || key == "pbrMetallicRoughness" || key == "extensions" || key.starts_with("KHR_");
+    if (!isObject) return true;
+    if (!value.is_object() || (isReference && !value.contains("index"))) return false;
+    return std::ranges::all_of(value.items(), [&](const auto& entry) { return isWellTyped(entry.value(), entry.key(), textures); });
+}
+
+/// All materials as they are, with the files of their pictures. One of other types than glTF's becomes plain, with a warning (TG5331). A
+/// picture that is not there or is none is left out: TG5328, a warning.
 MaterialSet carriedMaterials(const GltfDocument& document, Mesh& mesh) {
     const GltfValue root = document.root();
     MaterialSet set;
@@ -487,6 +503,13 @@ MaterialSet carriedMaterials(const GltfDocument& document, Mesh& mesh) {
     Json json = Json::object();
     for (const char* list : {"materials", "samplers", "textures"})
         if (root[list].size() > 0) json[list] = root[list].json();
+    for (std::size_t i = 0; i < json["materials"].size(); ++i) {
+        Json& material = json["materials"][i];
+        if (isWellTyped(material, "", root["textures"].size())) continue;
+        warn(mesh, 5331, root.source().whole(), fmt::format("materials[{}] is left out: its values are not of glTF's types", i),
+             kExportAgain);
+        material = Json::object();
+    }
     std::map<std::size_t, std::size_t> number; // of a picture, among those that are kept
     for (std::size_t i = 0; i < root["images"].size(); ++i) {
         auto bytes = pictureBytes(document, i);

@@ -294,6 +294,24 @@ TEST_F(NothingLost, materials_and_their_pictures_are_carried_byte_for_byte) {
     EXPECT_EQ(drawn->textures[0].role, "color");
 }
 
+TEST_F(NothingLost, materials_of_other_types_than_gltf_s_become_plain_with_a_warning) {
+    for (const char* material :
+         {R"({"pbrMetallicRoughness":["no object"]})", R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":-1}}})",
+          R"({"normalTexture":{"scale":1}})", R"({"emissiveTexture":{"index":3}})",
+          R"({"normalTexture":{"index":0,"scale":"not a number"}})", R"({"emissiveFactor":[0,"1",0]})",
+          R"({"occlusionTexture":{"index":0,"extensions":{"KHR_texture_transform":"no object"}}})"}) {
+        GltfText gltf = tetrahedron();
+        gltf.json["textures"] = Json::array({Json::object()});
+        gltf.json["materials"] = Json::array({Json::parse(material), {{"name", "good"}, {"emissiveFactor", {0, 1, 0}}}});
+        gltf.json["meshes"][0]["primitives"][0]["material"] = 0;
+        const prep::Prepared mesh = prepared(write("odd.glb", gltf.glb()));
+        EXPECT_EQ(warningsOf(mesh.report.warnings, 5331, "materials[0]"), 1U) << material;
+        const Json json = jsonOf(asGlb(mesh));
+        EXPECT_EQ(json["materials"][0], Json::object()) << material;
+        EXPECT_EQ(json["materials"][1], gltf.json["materials"][1]) << material;
+    }
+}
+
 TEST_F(NothingLost, a_picture_that_cannot_be_read_is_a_warning) {
     GltfText gltf = tetrahedron();
     gltf.json["meshes"][0]["primitives"][0]["material"] = 0;

@@ -14,6 +14,8 @@ namespace {
 constexpr int kGutter = 8;     // texels around each picture, in which it goes on: what four mips blend
 constexpr int kPlainShare = 8; // plain colours take a strip, an eighth of a picture high
 constexpr int kSmallest = 4;   // a small picture is enlarged to a quarter of the largest: light is gathered in the sheet's texels, too
+constexpr int kLeastStrip = 4; // texels of a plain colour
+constexpr std::size_t kMostSheetTexels = std::size_t{1} << 25;
 constexpr std::size_t kNone = SIZE_MAX;
 
 /// Where the coordinates of a material lie, and where its picture lies in the sheet.
@@ -89,16 +91,17 @@ glm::ivec2 layOut(std::span<const DrawnMaterial> materials, std::vector<Cell>& c
     const float most =
         std::min({1.0F, static_cast<float>(kMostPictureSide / columns - 2 * kGutter) / inner.x,
                   static_cast<float>(kMostPictureSide / (rows + 1) - 2 * kGutter) / inner.y,
-                  std::sqrt(static_cast<float>(kMostPictureTexels) / (inner.x * inner.y * static_cast<float>(columns * (rows + 1))))});
+                  std::sqrt(static_cast<float>(kMostSheetTexels) / (inner.x * inner.y * static_cast<float>(columns * (rows + 1))))});
     if (most < 0.25F) return {0, 0};
     const glm::ivec2 size = glm::max(glm::ivec2(inner * most), 1);
     const glm::ivec2 step = size + 2 * kGutter;
     const glm::ivec2 strip(plain > 0 ? columns * step.x / plain : 0, plain > 0 ? std::max(step.y / kPlainShare, 2 * kGutter + 1) : 0);
+    if (plain > 0 && strip.x < kLeastStrip) return {0, 0};
     int picture = 0, colour = 0;
     for (std::size_t i = 0; i < cells.size(); ++i)
         if (materials[i].hasPicture()) {
             cells[i].place = step * glm::ivec2(picture % columns, picture / columns) + kGutter;
-            cells[i].size = glm::clamp(glm::ivec2(texelsOf(materials[i], cells[i]) * most), size / kSmallest, size);
+            cells[i].size = glm::clamp(glm::ivec2(texelsOf(materials[i], cells[i]) * most), glm::max(size / kSmallest, 1), size);
             ++picture;
         } else {
             cells[i].gutter = strip / 4; // a plain colour has room for any mip

@@ -248,6 +248,25 @@ TEST_F(Gltf, materials_of_several_pictures_and_colours_are_laid_out_in_one_sheet
         EXPECT_TRUE(uv.x > 0 && uv.x < 1 && uv.y > 0 && uv.y < 1);
 }
 
+TEST_F(Gltf, sheets_of_odd_materials_are_small_or_not_made) {
+    ASSERT_TRUE(writePng(folder_ / "dot.png", {.width = 1, .height = 1, .channels = 1, .pixels = {0.5F}}, PngEncoding::Raw));
+    for (const int plain : {1, 4, 5, 500}) {
+        Parts parts;
+        parts.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0})";
+        parts.more =
+            R"(,"textures":[{"source":0}],"images":[{"uri":"dot.png"}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+        for (int i = 1; i <= plain; ++i) {
+            parts.primitive += R"(,{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":)" + std::to_string(i) + "}";
+            parts.more += R"(,{"pbrMetallicRoughness":{"baseColorFactor":[)" + std::to_string(i / 501.0) + ",0,0,1]}}";
+        }
+        parts.more += "]";
+        const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+        ASSERT_TRUE(mesh) << plain << format(mesh.error());
+        ASSERT_EQ(mesh->textures.size(), 1U) << plain;
+        EXPECT_EQ(mesh->textures[0].image.width > 1, plain <= 4) << plain;
+    }
+}
+
 TEST_F(Gltf, the_factor_of_a_material_colours_its_picture) {
     ASSERT_TRUE(writePng(folder_ / "white.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 1, 1}}, PngEncoding::Raw));
     Parts parts;

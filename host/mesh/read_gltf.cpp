@@ -302,6 +302,8 @@ private:
 
     [[nodiscard]] std::optional<Error> load(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh);
     using Textures = std::vector<std::pair<std::string, std::size_t>>; // of each role
+    /// The first texture of the same picture and sampler.
+    [[nodiscard]] std::size_t firstLike(std::size_t texture) const;
     [[nodiscard]] std::size_t numberOf(const Textures& textures, const glm::vec3& factor);
     [[nodiscard]] DrawnMaterial drawn(std::size_t material) const;
     void useFirst(Mesh& mesh);
@@ -376,8 +378,9 @@ std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
     Textures textures;
     const auto addTexture = [&](const std::string& role, const Result<std::size_t>& index, const GltfValue& from) -> std::optional<Error> {
         if (!index) return index.error();
-        textures.emplace_back(role, *index);
-        return load(role, *index, from, mesh);
+        const std::size_t first = firstLike(*index);
+        textures.emplace_back(role, first);
+        return load(role, first, from, mesh);
     };
     const GltfValue surface = material["pbrMetallicRoughness"];
     const GltfValue base = surface["baseColorTexture"];
@@ -399,6 +402,17 @@ std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
     materialOfPart_.push_back(
         numberOf(textures, glm::clamp(glm::vec3((*factor)[0], (*factor)[1], (*factor)[2]), glm::vec3(0), glm::vec3(1))));
     return std::nullopt;
+}
+
+std::size_t GltfTextures::firstLike(std::size_t texture) const {
+    const GltfValue textures = document_.root()["textures"];
+    const auto isLike = [&](std::size_t other) {
+        return std::ranges::all_of(std::array{"source", "sampler", "extensions"},
+                                   [&](const char* key) { return textures[other][key].json() == textures[texture][key].json(); });
+    };
+    for (std::size_t other = 0; other < std::min(texture, textures.size()); ++other)
+        if (texture < textures.size() && isLike(other)) return other;
+    return texture;
 }
 
 std::size_t GltfTextures::numberOf(const Textures& textures, const glm::vec3& factor) {

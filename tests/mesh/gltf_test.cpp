@@ -244,6 +244,11 @@ TEST_F(Gltf, materials_of_several_pictures_and_colours_are_laid_out_in_one_sheet
         EXPECT_LT(glm::length(seen(part, 1) - (part == 1 ? bump : flat)), 5e-3F) << part;
     }
     EXPECT_EQ(mesh->uvs[mesh->indices[0]], mesh->uvs[mesh->indices[mesh->parts[5].firstIndex]]) << "a material has one place";
+    parts.more.replace(parts.more.find(R"({"source":2}])"), 13, R"({"source":2},{"source":0}])");
+    parts.more.replace(parts.more.find(R"({"index":0},"baseColorFactor":[0.25,1,1,1])"), 42, R"({"index":3})");
+    const auto named = load("b.glb", triangle(parts), kMillimetres);
+    ASSERT_TRUE(named) << format(named.error());
+    EXPECT_EQ(named->uvs[named->indices[0]], named->uvs[named->indices[named->parts[3].firstIndex]]) << "a picture of two textures is one";
     for (const glm::vec2& uv : mesh->uvs)
         EXPECT_TRUE(uv.x > 0 && uv.x < 1 && uv.y > 0 && uv.y < 1);
 }

@@ -2,6 +2,7 @@
 
 #include "host/spirv/instructions.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 

@@ -5,6 +5,7 @@
 #include "lab/reference/specular.h"
 #include "lab/verify/work.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>

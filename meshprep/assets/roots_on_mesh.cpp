@@ -4,6 +4,8 @@
 #include "meshprep/fur/roots/root_texture.h"
 #include "meshprep/prepare/near_surface.h"
 
+#include <algorithm>
+
 namespace tegument::assets {
 
 namespace {

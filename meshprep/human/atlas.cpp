@@ -4,6 +4,7 @@
 
 #include "meshprep/human/atlas.h"
 
+#include <algorithm>
 #include <bitset>
 #include <cmath>
 #include <limits>

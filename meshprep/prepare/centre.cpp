@@ -1,5 +1,6 @@
 #include "meshprep/prepare/centre.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace tegument::prep {

@@ -2,6 +2,8 @@
 
 #include "host/support/parallel.h"
 
+#include <algorithm>
+
 namespace tegument::prep {
 
 namespace {

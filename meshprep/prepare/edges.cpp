@@ -2,6 +2,8 @@
 
 #include "host/support/parallel.h"
 
+#include <algorithm>
+
 namespace tegument::prep {
 
 EdgeTable::EdgeTable(const Surface& surface) : firstOfLow_(std::size_t{surface.pointCount} + 1, 0) {

@@ -1,5 +1,6 @@
 #include "meshprep/prepare/near_surface.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace tegument::prep {

@@ -4,6 +4,7 @@
 #include "host/mesh/welding.h"
 #include "meshprep/prepare/edges.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

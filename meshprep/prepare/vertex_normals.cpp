@@ -6,6 +6,7 @@
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/topology.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tegument::prep {

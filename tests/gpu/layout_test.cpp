@@ -14,6 +14,8 @@
 #include "shaders/uniform_frag.h"
 #include "tests/gpu/fixture.h"
 
+#include <algorithm>
+
 namespace tegument::gpu {
 namespace {
 

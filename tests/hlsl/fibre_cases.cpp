@@ -5,6 +5,7 @@
 #include "tests/hlsl/lock_scene.h"
 #include "tests/hlsl/maps.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

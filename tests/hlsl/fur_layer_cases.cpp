@@ -4,6 +4,8 @@
 #include "tests/hlsl/fur_light.h"
 #include "tests/hlsl/maps.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 
 namespace {

@@ -3,6 +3,8 @@
 
 #include "tests/hlsl/strand_roots.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 
 namespace {

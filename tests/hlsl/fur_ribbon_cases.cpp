@@ -2,6 +2,7 @@
 // to depth, highlights by angles.
 #include "tests/hlsl/function_case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -6,6 +6,8 @@
 #include "tests/hlsl/fur_numbers.h"
 #include "tests/hlsl/maps.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 
 namespace {

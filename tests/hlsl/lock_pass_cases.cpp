@@ -6,6 +6,8 @@
 #include "tests/hlsl/lock_scene.h"
 #include "tests/hlsl/maps.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 
 namespace {

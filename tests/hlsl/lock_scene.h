@@ -4,6 +4,8 @@
 #include "tests/hlsl/fur_numbers.h"
 #include "tests/hlsl/fur_view.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 
 inline constexpr double kLockMesh = 80;      // the mesh's radius

@@ -3,6 +3,7 @@
 #include "lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"
 
+#include <algorithm>
 #include <map>
 
 namespace tegument::test {

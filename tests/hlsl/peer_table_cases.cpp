@@ -3,6 +3,8 @@
 #include "lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 
 namespace {

@@ -4,6 +4,7 @@
 #include "lab/reference/skin_tone.h"
 #include "tests/hlsl/function_case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 

@@ -16,6 +16,7 @@
 #include <ImfStringVectorAttribute.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <span>

@@ -5,6 +5,7 @@
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>

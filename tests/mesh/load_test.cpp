@@ -4,6 +4,7 @@
 #include "host/mesh/triangles.h"
 #include "tests/mesh/files.h"
 
+#include <algorithm>
 #include <random>
 
 using namespace tegument;

@@ -4,6 +4,8 @@
 #include "lab/reference/peers.h"
 #include "tests/peers/fixture.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 namespace {
 

@@ -7,6 +7,8 @@
 #include "tests/run/sphere.h"
 #include "tests/spirv/missing.h"
 
+#include <algorithm>
+
 namespace tegument::test {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include "tests/spirv/support.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace tegument::test {

@@ -7,6 +7,8 @@
 
 #include <spirv_cross/spirv_cross.hpp>
 
+#include <algorithm>
+
 namespace tegument::test {
 namespace {
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of meshprep/fetch.py without the network. usage: fetch_test.py REPOSITORY"""
+"""Tests of meshprep/fetch.py and of bootstrap's downloads without the network. usage: fetch_test.py REPOSITORY"""
 
 import os
 import pathlib
@@ -8,7 +8,8 @@ import sys
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(sys.argv.pop()) / "meshprep" / "fetch.py"
+REPOSITORY = pathlib.Path(sys.argv.pop())
+SCRIPT = REPOSITORY / "meshprep" / "fetch.py"
 BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
 
 
@@ -58,6 +59,60 @@ class Fetch(unittest.TestCase):
     def test_usage_is_exit_code_2(self):
         for arguments in ((), ("horse",), ("human", "a", "b")):
             self.assertEqual(fetch(*arguments).returncode, 2, arguments)
+
+
+class Bootstrap(unittest.TestCase):
+    """`fetch_and_lay_out` stands for the network: it says what it is asked for, and fails for what REFUSED names."""
+
+    NETWORK = """source ./bootstrap
+log=$FOLDER/log
+fetch_and_lay_out() { # LAYOUT FOLDER NAME==VERSION...
+    echo "$3" >>"$FOLDER/asked"
+    mkdir -p "$2/wheel" "$2/result" && echo "$3" >"$2/result/libdxcompiler.so"
+    [[ "$3" != $REFUSED ]]
+}
+install_dxc
+"""
+
+    def setUp(self):
+        if os.uname().machine != "x86_64":
+            self.skipTest("DXC comes for x86_64 only")
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.tools = self.folder / "cache" / "tools"
+
+    def install(self, refused):
+        """Exit code, and what the network was asked for."""
+        (self.folder / "asked").write_text("", encoding="utf-8")
+        done = subprocess.run(["bash", "-c", self.NETWORK], cwd=REPOSITORY, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+                              env={**os.environ, "FOLDER": str(self.folder), "REFUSED": refused, "TEGUMENT_CACHE": str(self.folder / "cache")})
+        self.assertEqual(done.returncode, 0, done.stdout)
+        return [line.split("==")[0] for line in (self.folder / "asked").read_text(encoding="utf-8").split()], done.stdout
+
+    def installed(self):
+        return (self.tools / "dxc" / "libdxcompiler.so").read_text(encoding="utf-8").split("==")[0]
+
+    def test_what_is_there_is_not_fetched_again(self):
+        self.assertEqual(self.install("nothing")[0], ["compushady_lrtu"])
+        self.assertEqual(self.install("*")[0], [])
+        self.assertEqual(self.installed(), "compushady_lrtu")
+
+    def test_the_second_source_is_taken_where_the_first_cannot_be_had_and_then_kept(self):
+        self.assertEqual(self.install("compushady_lrtu*")[0], ["compushady_lrtu", "compushady"])
+        self.assertEqual(self.installed(), "compushady")
+        self.assertEqual(self.install("*")[0], [])
+
+    def test_what_was_interrupted_leaves_nothing_and_what_was_there_stays(self):
+        asked, said = self.install("*")
+        self.assertEqual(asked, ["compushady_lrtu", "compushady"])
+        self.assertIn("glslang compiles alone", said)
+        self.assertEqual(list(self.tools.iterdir()), [])
+        (self.tools / "dxc").mkdir()
+        (self.tools / "dxc" / "libdxcompiler.so").write_text("older==1", encoding="utf-8")
+        self.install("*")
+        self.assertEqual([path.name for path in self.tools.iterdir()], ["dxc"])
+        self.assertEqual(self.installed(), "older")
 
 
 if __name__ == "__main__":

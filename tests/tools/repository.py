@@ -423,6 +423,17 @@ def included_by(root, path, seen):
     return seen
 
 
+def sources_that_use_algorithms_include_them(root):
+    """GCC 12's other headers bring them along; those of GCC 14 and of libc++ do not."""
+    used = r"\bstd::(?:ranges::(?!(?:begin|end|size|data|views?)\b)\w+|(?:max|min|minmax|clamp|(?:stable_|partial_)?sort|find(?:_if)?|count(?:_if)?|(?:any|all|none)_of|copy(?:_n|_if)?|" \
+           r"fill(?:_n)?|transform|remove_if|reverse|rotate|unique|equal|(?:max|min|minmax)_element|(?:lower|upper)_bound|binary_search|generate)\()"
+    for top in [*rooms.TOPS, "tests"]:
+        for path in files(root / top, {".cpp", ".h"}):
+            code = without_comments(text_of(path))
+            if re.search(used, code) and "#include <algorithm>" not in code:
+                yield f"{path}: uses an algorithm and does not include <algorithm>"
+
+
 def headers_that_need_no_gpu_include_none(root):
     for path in files(root / "host", {".h"}):
         comment = " ".join(re.match(r"(?:#pragma once\n)?((?://.*\n)*)", text_of(path))[1].replace("//", "").split())
@@ -483,6 +494,7 @@ CHECKS = {
         every_page_is_listed_where_its_readers_begin,
         every_test_that_the_conventions_name_exists,
         names_of_the_settings_stand_in_one_place,
+        sources_that_use_algorithms_include_them,
         headers_that_need_no_gpu_include_none,
         nothing_but_tests_reads_the_shared_folder,
         dependencies_are_those_that_bootstrap_installs,

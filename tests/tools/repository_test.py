@@ -189,6 +189,12 @@ class Checks(unittest.TestCase):
         self.finds(check, {"lab/reference/a.cpp": include}, "lab/reference/a.cpp: includes embree3")
         self.finds(check, {"tools/cli/a.cpp": "#include <ft2build.h>\n", "host/run/b.cpp": "#include <ft2build.h>\n"}, "host/run/b.cpp")
 
+    def test_an_algorithm_without_its_header_is_found(self):
+        check = "sources_that_use_algorithms_include_them"
+        self.accepts(check, {"host/run/a.cpp": "#include <algorithm>\nint a = std::max(1, 2);\n", "tests/b.cpp": "// std::max(1, 2)\nint b = std::numeric_limits<int>::max();\n"})
+        self.finds(check, {"tests/a.cpp": "#include <vector>\nint a = std::max({1, 2});\n"}, "tests/a.cpp: uses an algorithm")
+        self.finds(check, {"lab/a.h": "bool a = std::ranges::find(v, 1) == v.end();\n"}, "lab/a.h: uses an algorithm")
+
     def test_a_changelog_of_another_version_is_found(self):
         check = "the_changelog_knows_the_version_that_is_built"
         built = {"CMakeLists.txt": "cmake_minimum_required(VERSION 3.25)\nproject(a VERSION 0.2.0 LANGUAGES CXX)\n"}

@@ -5,6 +5,7 @@
 #include "device.h"
 #include "pipeline.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 

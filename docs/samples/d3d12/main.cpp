@@ -5,6 +5,7 @@
 #include "effect.h"
 #include "picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -5,6 +5,8 @@
 
 #include <wincodec.h>
 
+#include <algorithm>
+
 struct Pixels {
     UINT width = 0, height = 0;
     std::vector<std::uint8_t> rgba;

@@ -6,6 +6,7 @@
 
 #include <d3dcompiler.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 

@@ -2,6 +2,7 @@
 
 #include "host/spirv/instructions.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>

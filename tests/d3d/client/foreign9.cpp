@@ -6,6 +6,7 @@
 
 #include <d3dx9.h>
 
+#include <algorithm>
 #include <array>
 
 namespace client {

@@ -3,6 +3,7 @@
 
 #include "host/mesh/triangles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>

@@ -9,6 +9,7 @@
 #include "tests/meshprep/prepare/meshes.h"
 #include "tests/meshprep/scan_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>

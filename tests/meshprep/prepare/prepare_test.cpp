@@ -4,6 +4,7 @@
 #include "meshprep/prepare/simplify.h"
 #include "tests/meshprep/prepare/meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>

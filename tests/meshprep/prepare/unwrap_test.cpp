@@ -8,6 +8,7 @@
 #include "tests/meshprep/prepare/meshes.h"
 #include "tests/meshprep/scan_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -3,6 +3,7 @@
 
 #include "host/mesh/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -2,6 +2,7 @@
 
 #include "host/support/rays/windows/bounds_tree.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace tegument {

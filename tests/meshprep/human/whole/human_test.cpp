@@ -64,7 +64,7 @@ const std::optional<Mesh>& humanMesh() {
     return mesh;
 }
 
-const Image& map(const std::string& role) {
+const Image& map(std::string_view role) {
     return std::ranges::find(humanMesh()->textures, role, &EmbeddedTexture::role)->image;
 }
 

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
 

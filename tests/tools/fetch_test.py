@@ -98,14 +98,9 @@ install_dxc
         self.assertEqual(self.install("*")[0], [])
         self.assertEqual(self.installed(), "compushady_lrtu")
 
-    def test_the_second_source_is_taken_where_the_first_cannot_be_had_and_then_kept(self):
-        self.assertEqual(self.install("compushady_lrtu*")[0], ["compushady_lrtu", "compushady"])
-        self.assertEqual(self.installed(), "compushady")
-        self.assertEqual(self.install("*")[0], [])
-
     def test_what_was_interrupted_leaves_nothing_and_what_was_there_stays(self):
         asked, said = self.install("*")
-        self.assertEqual(asked, ["compushady_lrtu", "compushady"])
+        self.assertEqual(asked, ["compushady_lrtu"])
         self.assertIn("glslang compiles alone", said)
         self.assertEqual(list(self.tools.iterdir()), [])
         (self.tools / "dxc").mkdir()

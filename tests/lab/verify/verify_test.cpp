@@ -12,6 +12,8 @@
 #include <functional>
 #include <iostream>
 #include <set>
+#include <string>
+#include <string_view>
 
 using namespace tegument;
 using namespace tegument::test;
@@ -60,18 +62,18 @@ protected:
         return *kMeasured;
     }
 
-    static const Erratum& find(const Errata& errata, const std::string& finding, const std::string& quantity) {
+    static const Erratum& find(const Errata& errata, std::string_view finding, std::string_view quantity) {
         const auto found = std::ranges::find_if(errata.list, [&](const Erratum& e) {
             return e.finding.find(finding) != std::string::npos && e.quantity.find(quantity) != std::string::npos;
         });
-        if (found == errata.list.end()) throw std::runtime_error("no erratum " + finding + ", " + quantity);
+        if (found == errata.list.end()) throw std::runtime_error("no erratum " + std::string(finding) + ", " + std::string(quantity));
         return *found;
     }
 
-    static const EdgeRow& row(const Errata& errata, const std::string& name, double texel) {
+    static const EdgeRow& row(const Errata& errata, std::string_view name, double texel) {
         const auto found = std::ranges::find_if(
             errata.edges, [&](const EdgeRow& r) { return r.name.starts_with(name) && std::abs(r.texel - texel) < 1e-9; });
-        if (found == errata.edges.end()) throw std::runtime_error("no row " + name);
+        if (found == errata.edges.end()) throw std::runtime_error("no row " + std::string(name));
         return *found;
     }
 };

@@ -6,7 +6,7 @@ option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 # their parts.
 add_library(tegument_host INTERFACE)
 target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt)
-set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_process tegument_direct3d tegument_check
+set(exported tegument_meshopt tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_process tegument_direct3d tegument_check
     tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
     tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings tegument_portrait)
 foreach(library IN LISTS exported)
@@ -45,15 +45,13 @@ if(TEGUMENT_XATLAS_DIR AND EXISTS ${TEGUMENT_XATLAS_DIR}/LICENSE)
   file(READ ${TEGUMENT_XATLAS_DIR}/LICENSE licence)
   string(APPEND licences "\nCompiled in, xatlas:\n\n${licence}")
 endif()
-foreach(folder IN LISTS TEGUMENT_MESHOPTIMIZER_DIR TEGUMENT_MESHOPTIMIZER_NEWEST_DIR)
-  if(EXISTS ${folder}/simplifier.cpp)
-    file(READ ${folder}/meshoptimizer.h licence)
-    string(FIND "${licence}" "/**\n * Copyright" from REVERSE) # the header ends with it
-    string(SUBSTRING "${licence}" ${from} -1 licence)
-    string(REGEX REPLACE "(^|\n)( \\*/|/\\*\\*\n| \\* ?)" "\\1" licence "${licence}")
-    string(APPEND licences "\nCompiled in, meshoptimizer:\n\n${licence}")
-  endif()
-endforeach()
+if(EXISTS "${TEGUMENT_MESHOPTIMIZER_DIR}/meshoptimizer.h")
+  file(READ ${TEGUMENT_MESHOPTIMIZER_DIR}/meshoptimizer.h licence)
+  string(FIND "${licence}" "/**\n * Copyright" from REVERSE) # the header ends with it
+  string(SUBSTRING "${licence}" ${from} -1 licence)
+  string(REGEX REPLACE "(^|\n)( \\*/|/\\*\\*\n| \\* ?)" "\\1" licence "${licence}")
+  string(APPEND licences "\nCompiled in, meshoptimizer:\n\n${licence}")
+endif()
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/copyright CONTENT "${licences}")
 install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/tegument)
 # Side by side as in the tree, so that the links of one to the other hold.
@@ -83,6 +81,10 @@ add_custom_target(tegument_hlsl ALL DEPENDS ${PROJECT_BINARY_DIR}/tegument.hlsl)
 install(FILES ${PROJECT_BINARY_DIR}/tegument.hlsl DESTINATION share/tegument)
 
 include(CMakePackageConfigHelpers)
+set(find_meshoptimizer "")
+if(meshoptimizer_FOUND)
+  set(find_meshoptimizer "find_dependency(meshoptimizer)\n")
+endif()
 configure_file(cmake/TegumentConfig.cmake.in ${PROJECT_BINARY_DIR}/TegumentConfig.cmake @ONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TegumentConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/TegumentConfig.cmake ${PROJECT_BINARY_DIR}/TegumentConfigVersion.cmake DESTINATION lib/cmake/Tegument)
@@ -115,6 +117,6 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any") # runs fetch.py
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers, python3-pip")
 # Microsoft's compiler runs in the first three; the others are what a program built against the libraries needs, docs/samples/client for one.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "wine, wine64, xvfb, g++, cmake, ninja-build, pkg-config, glslang-dev, glslang-tools, spirv-tools, libspirv-cross-c-shared-dev, libvulkan-dev, \
-libopenexr-dev, libpng-dev, libjpeg-dev, libembree-dev, libmeshoptimizer-dev, libdraco-dev, libopenmesh-dev, libglm-dev, libfmt-dev, nlohmann-json3-dev, \
+libopenexr-dev, libpng-dev, libjpeg-dev, libembree-dev, libdraco-dev, libopenmesh-dev, libglm-dev, libfmt-dev, nlohmann-json3-dev, \
 libxxhash-dev, libtbb-dev")
 include(CPack)

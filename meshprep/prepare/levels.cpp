@@ -89,7 +89,7 @@ constexpr std::size_t kTrianglesTried = 1'000'000;
 constexpr std::size_t kMostTries = 90;
 constexpr std::size_t kLeastWays = 5;            // before the first is mended
 constexpr std::size_t kLikeliest = 4;            // of the ways
-constexpr std::size_t kMostMended = 12;          // simplifiers whose levels are: those that were further off before seldom win
+constexpr std::size_t kMostMended = 12;          // weights whose levels are: those that were further off before seldom win
 constexpr std::size_t kMostPartsForChoice = 256; // part by part, the time grows with parts times vertices
 
 std::size_t triesFor(std::size_t triangles) {
@@ -105,7 +105,7 @@ public:
 
     struct Way {
         std::function<Indices()> make;
-        Simplifier simplifier;
+        float normals = 0; // the weight that it was made with
     };
 
     /// In parallel: the likeliest first, whose best then tells soon what is further off.
@@ -118,7 +118,7 @@ public:
         for (const auto& [first, last] : {std::pair(std::size_t{0}, likeliest), std::pair(likeliest, all.size())}) {
             forEachInParallel(last - first, [&, begin = first](std::size_t i) {
                 const Way& way = all[begin + i];
-                made[begin + i] = judged(way.make(), way.simplifier);
+                made[begin + i] = judged(way.make(), way.normals);
             });
             std::stable_sort(made.begin(), made.begin() + static_cast<std::ptrdiff_t>(last),
                              [](const Made& a, const Made& b) { return a.apart.greatest < b.apart.greatest; });
@@ -126,11 +126,11 @@ public:
                 take(made[i]);
         }
         for (const Made& one : made)
-            if (std::ranges::find(promising_, one.simplifier) == promising_.end()) promising_.push_back(one.simplifier);
+            if (std::ranges::find(promising_, one.normals) == promising_.end()) promising_.push_back(one.normals);
     }
 
     /// Where the level is furthest off, vertices of the full mesh are kept, and it is made again, as often as tries are left: first by the
-    /// simplifiers that came nearest, in turn of all such places and of the furthest alone.
+    /// weights that came nearest, in turn of all such places and of the furthest alone.
     void mend() {
         constexpr std::size_t kMostRounds = 5;
         if (tries_ == 0) return;
@@ -145,15 +145,12 @@ public:
     /// As a user of the library would ask for as many triangles as the best has: what it gives then is never nearer than what is kept.
     void compareWithPlain() {
         const std::size_t count = best_.level.size() / 3;
-        std::vector<Simplifier> plain;
-        for (const Simplifier& simplifier : simplifiers())
-            if (simplifier.version == simplifiers()[0].version && plain.size() < kPlain) plain.push_back(simplifier);
         const bool asOne = whole_.mayBeOne(count);
         if (count == 0 || (count == target_ && !asOne)) return; // that was tried
-        std::vector<Made> made(plain.size() * (asOne ? 2 : 1));
+        std::vector<Made> made(kPlain * (asOne ? 2 : 1));
         forEachInParallel(made.size(), [&](std::size_t i) {
-            const Simplifier& by = plain[i % plain.size()];
-            made[i] = judged(i < plain.size() ? whole_.simplified(whole_.full(), count, by) : whole_.simplifiedAsOne(count, by), by);
+            const float by = kNormalWeights[i % kPlain];
+            made[i] = judged(i < kPlain ? whole_.simplified(whole_.full(), count, by) : whole_.simplifiedAsOne(count, by), by);
         });
         for (Made& one : made)
             take(one);
@@ -167,7 +164,7 @@ private:
     struct Made {
         Indices level;
         RoughDistance apart;
-        Simplifier simplifier;
+        float normals = 0;
     };
 
     /// Vertices that should have stayed: those far from the level; and where a triangle of the level lies far off, the nearest one.
@@ -188,20 +185,20 @@ private:
         return vertices;
     }
 
-    [[nodiscard]] Made judged(Indices level, Simplifier simplifier, TooFar tooFar = TooFar::IsLeft) const {
+    [[nodiscard]] Made judged(Indices level, float normals, TooFar tooFar = TooFar::IsLeft) const {
         RoughDistance apart = distance_.roughly(level, mostPeaks_, best_.apart.greatest, tooFar);
-        return {.level = std::move(level), .apart = std::move(apart), .simplifier = simplifier};
+        return {.level = std::move(level), .apart = std::move(apart), .normals = normals};
     }
 
     /// Those that are worth a look.
-    [[nodiscard]] std::vector<Made> mended(Simplifier simplifier, std::size_t rounds, std::size_t most) const {
+    [[nodiscard]] std::vector<Made> mended(float normals, std::size_t rounds, std::size_t most) const {
         std::vector<Made> better;
         std::set<std::uint32_t> locked = cause(best_, most, false);
         double last = best_.apart.greatest;
         std::size_t before = 0;
         for (std::size_t i = 0; i < rounds && locked.size() > before && 4 * locked.size() <= target_ + 64; ++i) {
             before = locked.size();
-            Made made = judged(whole_.simplified(whole_.full(), target_, simplifier, locked), simplifier,
+            Made made = judged(whole_.simplified(whole_.full(), target_, normals, locked), normals,
                                i + 1 < rounds ? TooFar::HasPeaks : TooFar::IsLeft);
             locked.merge(cause(made, most, made.apart.greatest >= last));
             last = made.apart.greatest;
@@ -223,24 +220,25 @@ private:
     std::size_t target_;
     std::size_t tries_; // that are left
     std::size_t mostPeaks_;
-    std::vector<Simplifier> promising_; // the one that came nearest first
+    std::vector<float> promising_; // the one that came nearest first
     Made best_{.apart = {.greatest = std::numeric_limits<double>::infinity()}};
 };
 
 /// The first is likely to be the nearest, and the last the least likely.
 std::vector<LevelChoice::Way> waysOf(const Mesh& mesh, const WholeMesh& whole, const Indices& last, std::size_t triangles) {
     std::vector<LevelChoice::Way> ways;
-    const auto add = [&](Simplifier simplifier, const Indices& from) {
-        ways.push_back({[=, &whole, &from] { return whole.simplified(from, triangles, simplifier); }, simplifier});
+    const auto add = [&](float normals, const Indices& from) {
+        ways.push_back({[=, &whole, &from] { return whole.simplified(from, triangles, normals); }, normals});
     };
-    add(simplifiers()[0], whole.full());
-    if (!last.empty()) add(simplifiers()[0], last);
-    for (const Simplifier& simplifier : simplifiers().subspan(1))
-        add(simplifier, whole.full());
+    add(kNormalWeights[0], whole.full());
+    if (!last.empty()) add(kNormalWeights[0], last);
+    for (const float normals : std::span(kNormalWeights).subspan(1))
+        add(normals, whole.full());
     if (mesh.parts.size() == 1 || mesh.parts.size() > kMostPartsForChoice) return ways;
     ways.push_back({[=, &whole] { return whole.partByPart(triangles); }, {}});
-    for (const Simplifier& simplifier : whole.mayBeOne(triangles) ? simplifiers() : simplifiers().first(0))
-        ways.push_back({[=, &whole] { return whole.simplifiedAsOne(triangles, simplifier); }, simplifier});
+    if (!whole.mayBeOne(triangles)) return ways;
+    for (const float normals : kNormalWeights)
+        ways.push_back({[=, &whole] { return whole.simplifiedAsOne(triangles, normals); }, normals});
     return ways;
 }
 
@@ -270,13 +268,10 @@ std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, cons
 /// with that afterwards, so that it is begun by this thread, which could not.
 std::vector<MeshLevel> chainedLevels(const WholeMesh& whole, const std::vector<std::size_t>& targets,
                                      const std::function<void()>& besideFirst, const std::function<void(const MeshLevel&)>& besideOthers) {
-    // The newer one before the newest: nearer than meshoptimizer 1.3 at every level of the Dragon, the newest not at the first.
-    const auto newer = std::ranges::find(simplifiers(), Simplifier::Version::Newer, &Simplifier::version);
-    const Simplifier& simplifier = newer == simplifiers().end() ? simplifiers()[0] : *newer;
     std::vector<MeshLevel> levels(targets.size());
     Indices last;
     const auto make = [&](std::size_t i, const Indices& from) {
-        last = whole.simplified(from, targets[i], simplifier);
+        last = whole.simplified(from, targets[i], kNormalWeights[0]);
         levels[i] = whole.level(last);
     };
     forEachInParallel(2, [&](std::size_t item) {

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> quickLevel(const Mesh& mesh, std::size_t triangles) {
                      .attributes = attributes,
                      .counted = mesh.uvs.empty() ? 3U : 5U,
                      .triangles = triangles},
-                    simplifiers()[0]);
+                    kNormalWeights[0]);
 }
 
 } // namespace tegument::prep

@@ -71,7 +71,7 @@ bool WholeMesh::mayBeOne(std::size_t triangles) const {
     return shares_ && mesh_.parts.size() * triangles <= kMostMatched;
 }
 
-Indices WholeMesh::simplified(std::span<const std::uint32_t> from, std::size_t triangles, Simplifier simplifier,
+Indices WholeMesh::simplified(std::span<const std::uint32_t> from, std::size_t triangles, float normals,
                               std::set<std::uint32_t> locked) const {
     return simplify({.from = from,
                      .positions = positions_,
@@ -79,10 +79,10 @@ Indices WholeMesh::simplified(std::span<const std::uint32_t> from, std::size_t t
                      .counted = mesh_.uvs.empty() ? 3u : 5u,
                      .triangles = triangles,
                      .locked = std::move(locked)},
-                    simplifier);
+                    normals);
 }
 
-Indices WholeMesh::simplifiedAsOne(std::size_t triangles, Simplifier simplifier) const {
+Indices WholeMesh::simplifiedAsOne(std::size_t triangles, float normals) const {
     const std::vector<glm::vec3> unit = atUnitSize(mesh_.positions);
     std::vector<SimplifiedAttributes> attributes;
     for (std::uint32_t vertex = 0; vertex < mesh_.normals.size(); ++vertex)
@@ -92,7 +92,7 @@ Indices WholeMesh::simplifiedAsOne(std::size_t triangles, Simplifier simplifier)
                                      .attributes = attributes,
                                      .counted = mesh_.uvs.empty() ? 3u : 5u,
                                      .triangles = triangles},
-                                    simplifier);
+                                    normals);
     return toParts(coarse);
 }
 

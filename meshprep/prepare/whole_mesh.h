@@ -24,12 +24,12 @@ public:
 
     [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
 
-    [[nodiscard]] std::vector<std::uint32_t> simplified(std::span<const std::uint32_t> from, std::size_t triangles,
-                                                        Simplifier simplifier = {}, std::set<std::uint32_t> locked = {}) const;
+    [[nodiscard]] std::vector<std::uint32_t> simplified(std::span<const std::uint32_t> from, std::size_t triangles, float normals = 0,
+                                                        std::set<std::uint32_t> locked = {}) const;
 
     /// As users of the library have it who do not know of parts: a vertex of several is one, and borders of parts hold nothing. What is
     /// left is in the order in which it came, so that the parts are found again.
-    [[nodiscard]] std::vector<std::uint32_t> simplifiedAsOne(std::size_t triangles, Simplifier simplifier) const;
+    [[nodiscard]] std::vector<std::uint32_t> simplifiedAsOne(std::size_t triangles, float normals) const;
 
     /// Each part loses the same share, and keeps its borders.
     [[nodiscard]] std::vector<std::uint32_t> partByPart(std::size_t triangles) const;

@@ -150,7 +150,7 @@ TEST_F(Prepare, levels_are_never_further_off_than_what_the_simplifier_gives_its_
                                          .attributes = attributes,
                                          .counted = 3,
                                          .triangles = level.mesh.indices.size() / 3},
-                                        simplifiers()[0]);
+                                        kNormalWeights[0]);
             EXPECT_LE(level.error.reached, 1.01 * distance.to(plain).reached) << detail << ", " << plain.size() / 3 << " triangles";
         }
     }
@@ -197,8 +197,7 @@ TEST_F(Prepare, levels_of_parts_that_share_vertices_are_as_near_as_if_they_were_
     ASSERT_GT(mesh.parts.size(), 10u);
     const DistanceFrom distance(mesh.positions, mesh.indices);
     for (const Level& level : makeLevels(mesh, 3).levels) {
-        const auto plain = simplify({.from = mesh.indices, .positions = mesh.positions, .triangles = level.mesh.indices.size() / 3},
-                                    {simplifiers()[0].version, 0});
+        const auto plain = simplify({.from = mesh.indices, .positions = mesh.positions, .triangles = level.mesh.indices.size() / 3}, 0);
         EXPECT_LE(level.error.reached, 1.01 * distance.to(plain).reached) << plain.size() / 3 << " triangles";
         if (level.mesh.indices.size() * 5 < mesh.indices.size()) continue; // a stripe is two triangles wide
         ASSERT_EQ(level.mesh.parts.size(), mesh.parts.size());

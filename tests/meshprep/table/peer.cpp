@@ -1,10 +1,10 @@
-// What both versions of meshoptimizer have.
 #include "tests/meshprep/table/peer.h"
 
 #include <meshoptimizer.h>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 
 namespace tegument::testing_prep {
@@ -37,6 +37,22 @@ Indices simplifiedByPlace(const Indices& indices, const std::vector<glm::vec3>& 
     out.resize(meshopt_simplify(out.data(), indices.data(), indices.size(), &positions[0].x, positions.size(), sizeof(glm::vec3),
                                 3 * triangles, std::numeric_limits<float>::max(), 0, nullptr));
     return out;
+}
+
+std::vector<Indices> peerLevels(const Indices& indices, const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
+                                const std::vector<glm::vec2>& uvs, std::size_t triangles) {
+    using Attributes = std::array<float, 5>;
+    std::vector<Attributes> attributes;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::vec2 uv = uvs.empty() ? glm::vec2(0) : uvs[i];
+        attributes.push_back({normals[i].x, normals[i].y, normals[i].z, uv.x, uv.y});
+    }
+    constexpr Attributes kWeights = {0.5f, 0.5f, 0.5f, 1, 1};
+    Indices out(indices.size());
+    out.resize(meshopt_simplifyWithAttributes(out.data(), indices.data(), indices.size(), &positions[0].x, positions.size(),
+                                              sizeof(glm::vec3), attributes[0].data(), sizeof(Attributes), kWeights.data(), kWeights.size(),
+                                              nullptr, 3 * triangles, std::numeric_limits<float>::max(), 0, nullptr));
+    return {simplifiedByPlace(indices, positions, triangles), out};
 }
 
 } // namespace tegument::testing_prep

@@ -1,5 +1,5 @@
 #pragma once
-// meshoptimizer as its users call it: the newest where the build was given its sources (TEGUMENT_MESHOPT_PEER), else Debian's.
+// meshoptimizer as its users call it: another version where the build was given its sources (TEGUMENT_MESHOPT_PEER).
 
 #include <glm/glm.hpp>
 
@@ -15,7 +15,7 @@ using Indices = std::vector<std::uint32_t>;
 /// Its orders: for vertex caches, for a FIFO cache of so many entries, for strips, and the first one after sorting by place.
 [[nodiscard]] std::vector<Indices> peerOrders(const Indices& indices, const std::vector<glm::vec3>& positions, unsigned entries);
 [[nodiscard]] Indices peerVertexCache(const Indices& indices, std::size_t vertices);
-/// Its levels of so many triangles: by places alone, and by places and attributes where it can.
+/// Its levels of so many triangles: by places alone, and by places and attributes with the weights that its documentation and gltfpack use.
 [[nodiscard]] std::vector<Indices> peerLevels(const Indices& indices, const std::vector<glm::vec3>& positions,
                                               const std::vector<glm::vec3>& normals, const std::vector<glm::vec2>& uvs,
                                               std::size_t triangles);

@@ -170,6 +170,7 @@ Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler
     auto vertex = madeOf(effect, keyOf(*pass.vertexShader, ShaderStage::Vertex), compiler, stages);
     if (!vertex) return vertex.error();
     program.vertex = std::move(*vertex);
+    if (!spirv::writesPosition(program.vertex.spirv)) return writesNoPosition(pass.vertexShader->entry, pass.vertexShader->at);
     if (pass.pixelShader) {
         auto pixel = madeOf(effect, keyOf(*pass.pixelShader, ShaderStage::Pixel), compiler, stages);
         if (!pixel) return pixel.error();

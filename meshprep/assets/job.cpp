@@ -24,11 +24,9 @@ std::string usualWorkspace(const Effect& effect) {
 }
 
 bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshFor) {
-    const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, &Pass::drawsGeometry); };
+    const auto draws = [&](const Technique& candidate) { return drawsMesh(effect, candidate); };
     if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
     const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
-    const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
-    if (chosen && effect.adopted && std::ranges::any_of(chosen->script.commands, external)) return true;
     return chosen && draws(*chosen);
 }
 
@@ -147,7 +145,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     sceneOptions.usual = usualWorkspace(job.effect);
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     sceneOptions.turns = turns;
-    sceneOptions.foreign = job.effect.adopted;
+    sceneOptions.unitSize = job.effect.unitSize;
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);

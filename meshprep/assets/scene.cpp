@@ -173,7 +173,7 @@ bool anyPainted(const std::map<std::string, std::string>& textures) {
 
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
-    if (path.empty() && options.foreign) return ball();
+    if (path.empty() && options.unitSize) return ball();
     if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
     MeshOptions load = meshOptions(workspace);
     if (options.unitMm) load.unitMm = options.unitMm;
@@ -263,14 +263,14 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     }
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
-    if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
+    if (options.unitSize && options.workspace.empty()) toUnitSize(*mesh);
     if (const auto read = readPoses(options, *mesh, scene); !read) return read.error();
     if (options.portrait) {
         if (const auto laid = portray(options, scene, *mesh); !laid) return laid.error();
     } else if (isFramed(options)) {
         frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
     }
-    if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
+    if (options.unitSize && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
         scene.workspace.camera.nearPlane = 0.1F;
         scene.workspace.camera.farPlane = 100;
     }

@@ -349,7 +349,7 @@ Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) 
         fmt::format("{} {} {} {} {}", static_cast<int>(state_.show), state_.pass, name, state_.technique, state_.setting);
     if (what == levelled_) return {};
     levelled_ = what;
-    const bool radiance = !loaded_->effect.adopted; // colours of other hosts' effects are a display's
+    const bool radiance = !loaded_->effect.displayColours;
     levels_ = {.toneMap = radiance, .encode = radiance};
     if (name.empty() && !gpu::isDepth(texture.desc().format)) return {};
     const auto image = run::readBack(device_, texture);

@@ -223,7 +223,11 @@ Result<LaidHead> layHead(Mesh& mesh, const PortraitHints& hints) {
             fmt::format("guessed: one unit of the file is {:g} mm, by the size of the face; another: --unit-mm X", unit));
     const bool insideOut = pose.likeness >= kLeastLikeness && isInsideOut(mesh, pose);
     const bool mirrored = hints.mirror.value_or(insideOut);
-    if (insideOut) turnTrianglesOver(mesh);
+    if (insideOut) {
+        turnTrianglesOver(mesh);
+        constexpr int kInsideOut = 5332; // which it is no longer
+        std::erase_if(mesh.warnings, [](const Diagnostic& warning) { return warning.code == kInsideOut; });
+    }
     if (insideOut && !hints.mirror)
         head.guesses.push_back("guessed: the file is mirrored, by its surface, which is inside out; not so: --mirror=false");
     const auto picture = mesh.uvs.empty() ? Result<std::optional<Image>>(std::optional<Image>()) : pictureOf(mesh, hints);

@@ -174,6 +174,7 @@ TEST(LaidHead, of_a_mirrored_file_is_mirrored_back_where_its_surface_tells) {
         computeNormals(mesh);
         for (glm::vec3& normal : mesh.normals)
             normal = outward ? normal : -normal;
+        mesh.warnings = {{.severity = Severity::Warning, .code = 5332}, {.severity = Severity::Warning, .code = 5301}};
         std::vector<std::string> guesses;
         const auto done = layHead(mesh, hints);
         EXPECT_TRUE(done);
@@ -185,6 +186,7 @@ TEST(LaidHead, of_a_mirrored_file_is_mirrored_back_where_its_surface_tells) {
             facing += static_cast<double>(glm::dot(glm::cross(a, b), mesh.normals[mesh.indices[i]]));
         }
         EXPECT_GT(facing, 0);
+        EXPECT_EQ(mesh.warnings.size(), guesses.size() > 1 || hints.mirror ? 1U : 2U) << "of what is mended none is warned";
         const bool said =
             std::ranges::any_of(guesses, [](const std::string& guess) { return guess.find("--mirror") != std::string::npos; });
         return std::pair(mesh, said);

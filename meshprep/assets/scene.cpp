@@ -23,23 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its light, its background and its
-/// parameters stay.
-Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
-    const WorkspaceOptions load = workspaceOptions(mesh && options.mesh.empty());
-    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
-    const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
-    std::error_code code;
-    if (!fs::is_regular_file(usual, code)) return Workspace{};
-    Result<Workspace> workspace = loadWorkspace(usual, load);
-    if (!workspace || options.mesh.empty()) return workspace;
-    workspace->attribution.clear(); // these spoke of its mesh
-    workspace->textures.clear();
-    workspace->unitMm.reset();
-    workspace->flipV = false;
-    return workspace;
-}
-
 fs::path beside(const Workspace& workspace, const std::string& path) {
     return workspace.file.has_parent_path() ? workspace.file.parent_path() / path : fs::path(path);
 }
@@ -205,8 +188,13 @@ void toUnitSize(Mesh& mesh) {
 
 /// The workspace as it would have to be to say the same without the command line.
 void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
-    std::error_code none;
-    if (!options.mesh.empty()) workspace.meshPath = fs::absolute(options.mesh, none).string();
+    const auto whole = [](const std::string& path) {
+        std::error_code none;
+        return path.empty() ? path : fs::absolute(path, none).string();
+    };
+    if (!options.mesh.empty()) workspace.meshPath = whole(options.mesh);
+    workspace.pose = whole(options.pose);
+    workspace.poseBefore = whole(options.poseBefore);
     if (!options.mesh.empty() || options.unitMm) workspace.unitMm = mesh.unitMm;
     if (isFramed(options)) workspace.head = false;
     if (options.head) workspace.head = *options.head;
@@ -242,6 +230,21 @@ void turn(double degrees, Scene& scene) {
 }
 
 } // namespace
+
+Result<Workspace> chooseWorkspace(const SceneOptions& options, bool requireMesh) {
+    const WorkspaceOptions load = workspaceOptions(requireMesh && options.mesh.empty());
+    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
+    const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
+    std::error_code code;
+    if (!fs::is_regular_file(usual, code)) return Workspace{};
+    Result<Workspace> workspace = loadWorkspace(usual, load);
+    if (!workspace || options.mesh.empty()) return workspace;
+    workspace->attribution.clear(); // these spoke of its mesh
+    workspace->textures.clear();
+    workspace->unitMm.reset();
+    workspace->flipV = false;
+    return workspace;
+}
 
 WorkspaceOptions workspaceOptions(bool requireMesh) {
     return {.requireMesh = requireMesh, .makers = {{"human", "tegument prep human"}, {"fur", "tegument prep bunny"}}};

@@ -49,6 +49,10 @@ struct Scene {
 /// A workspace whose mesh is one that the program makes, and is not there, names the command.
 [[nodiscard]] WorkspaceOptions workspaceOptions(bool requireMesh = true);
 
+/// The one that is named, else the usual one, else built-in defaults. With a mesh of one's own only light, background and parameters of a
+/// usual one stay, and what it says of how the picture is drawn.
+[[nodiscard]] Result<Workspace> chooseWorkspace(const SceneOptions& options, bool requireMesh);
+
 /// Without `needsMesh` none is read, nor need it exist. TG8014 none was given, TG8017 --mesh or --unit-mm for a scene of several objects.
 [[nodiscard]] Result<Scene> loadScene(const SceneOptions& options, bool needsMesh);
 

@@ -66,7 +66,7 @@ public:
 
     Adoption run() {
         Effect& effect = adoption_.effect;
-        effect.adopted = true;
+        effect.displayColours = effect.unitSize = effect.direct3D9Targets = true;
         for (const Technique& technique : effect.techniques)
             for (const Pass& pass : technique.passes)
                 addDirectionSigns(rewriter_.code(), pass, signs_);
@@ -75,13 +75,12 @@ public:
             for (std::size_t i = 0; i < technique.passes.size(); ++i)
                 pass(technique, technique.passes[i], i);
             runPassesAtAll(technique);
+            std::ranges::for_each(technique.passes, nameCallersTargets);
             turnFaces(technique);
         }
         chooseShown();
         fillTextures();
-        const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
-        if (std::ranges::any_of(effect.techniques, [&](const Technique& t) { return std::ranges::any_of(t.script.commands, external); }))
-            addScene();
+        if (std::ranges::any_of(effect.techniques, drawsScene)) addScene();
         if (plain_) addOwn(kPlainMatrix, {.rows = 4, .columns = 4, .name = "float4x4"}, "WORLDVIEWPROJECTION");
         if (sized_) addOwn(kTargetSize, {.rows = 1, .columns = 2, .name = "float2"}, "VIEWPORTPIXELSIZE");
         bind();
@@ -180,6 +179,15 @@ private:
         if (!technique.script.given || std::ranges::any_of(technique.script.commands, runs)) return;
         for (const Pass& pass : technique.passes)
             technique.script.commands.push_back({.kind = CommandKind::Pass, .options = {pass.name}, .at = technique.at});
+    }
+
+    /// To other hosts an empty name is the application's own target, whatever the technique has bound when the pass runs.
+    static void nameCallersTargets(Pass& pass) {
+        for (Command& command : pass.script.commands) {
+            if (command.kind == CommandKind::RenderColorTarget && command.index == 0)
+                std::ranges::replace(command.options, std::string(), kPicture);
+            if (command.kind == CommandKind::RenderDepthStencilTarget) std::ranges::replace(command.options, std::string(), kPictureDepth);
+        }
     }
 
     /// `CullMode = CW` in every pass that draws the mesh: its host winds front faces the other way, as modelling programs do. Outlines and

@@ -17,9 +17,6 @@ struct ParameterBinding {
     std::string rule;   // "semantic", "name", "SasBindAddress", "Object", "--bind", "its default", "nothing: zero"
 };
 
-/// The technique that adopted() adds where a script asks for what lies below the effect (ScriptExternal): the mesh, plainly lit.
-inline constexpr const char* kSceneTechnique = "<scene>";
-
 struct AdoptOptions {
     /// --bind: parameter name -> a semantic of this host, "default" or "zero"; of a texture a picture of this host's, "checker".
     std::map<std::string, std::string> bind;

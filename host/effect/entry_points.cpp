@@ -62,4 +62,9 @@ Result<void> drawable(const Pass& pass) {
     return {};
 }
 
+Error writesNoPosition(const std::string& entry, const SourcePosition& at) {
+    return inputError(3206, at, fmt::format("{} writes no SV_Position: nothing will be drawn", entry),
+                      "write SV_Position in place of POSITION; Direct3D 9 takes it too");
+}
+
 } // namespace tegument

@@ -24,4 +24,7 @@ struct ShaderUse {
 /// TG4002 a pass without vertex shader, TG4003 a stage or an argument that this host does not have; why a shader could not be respelt.
 [[nodiscard]] Result<void> drawable(const Pass& pass);
 
+/// TG3206: the vertex shader compiles, and places nothing.
+[[nodiscard]] Error writesNoPosition(const std::string& entry, const SourcePosition& at);
+
 } // namespace tegument

@@ -76,6 +76,15 @@ bool Pass::drawsGeometry() const {
     });
 }
 
+bool drawsScene(const Technique& technique) {
+    return std::ranges::any_of(technique.script.commands,
+                               [](const Command& command) { return command.kind == CommandKind::ScriptExternal; });
+}
+
+bool drawsMesh(const Effect& effect, const Technique& technique) {
+    return std::ranges::any_of(technique.passes, &Pass::drawsGeometry) || (drawsScene(technique) && effect.findTechnique(kSceneTechnique));
+}
+
 const Parameter* Effect::findParameter(std::string_view name) const {
     return findExact(parameters, name);
 }

@@ -157,6 +157,12 @@ struct Technique {
     [[nodiscard]] const Pass* findPass(std::string_view name) const; // ignores case
 };
 
+/// Its script asks for what lies below the effect: ScriptExternal.
+[[nodiscard]] bool drawsScene(const Technique& technique);
+
+/// The technique that host/adopt adds for that: the mesh, plainly lit.
+inline constexpr const char* kSceneTechnique = "<scene>";
+
 /// The STANDARDSGLOBAL block.
 struct StandardsGlobal {
     std::string name{};
@@ -195,9 +201,11 @@ struct Effect {
     std::vector<std::filesystem::path> includeFolders;        // likewise
     Roots roots;                                              // where files that it names may lie
     std::vector<Diagnostic> warnings;
-    bool adopted = false;    // host/adopt has put it into this host's spelling: its colours are those of a display, not radiance
-    std::string shown;       // the technique that is drawn where nobody names one; empty: as scripts say, else the first
-    bool ownDialect = false; // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
+    bool displayColours = false;   // its colours are those of a display, not radiance
+    bool unitSize = false;         // it expects a mesh of radius 1 at the origin
+    bool direct3D9Targets = false; // a pass may sample what it draws into, and a depth target may be larger than the colours beside it
+    std::string shown;             // the technique that is drawn where nobody names one; empty: as scripts say, else the first
+    bool ownDialect = false;       // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact
     [[nodiscard]] const Sampler* findSampler(std::string_view name) const;        // exact
@@ -226,6 +234,9 @@ struct LoadOptions {
 /// The first Direct3D 9 intrinsic or sampler type (tex2D, sampler2D, texture, ...) left in the effect's code: DXC and glslang do not know
 /// it, so SPIR-V targets of such a file are reported as not checked.
 [[nodiscard]] std::optional<Diagnostic> direct3D9Intrinsic(const Effect& effect);
+
+/// The technique has something to draw with a mesh.
+[[nodiscard]] bool drawsMesh(const Effect& effect, const Technique& technique);
 
 /// Reads, preprocesses (metadata view with FX_D3D11, code view with FX_ENTRY=1) and parses an effect file. TG4051: it has no setting of
 /// that name. TG1014: it includes a file that lies outside of where it may.

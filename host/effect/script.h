@@ -11,11 +11,15 @@
 
 namespace tegument {
 
+/// Names of the application's own targets; no effect can declare them.
+inline constexpr const char* kPicture = "<picture>";
+inline constexpr const char* kPictureDepth = "<picture depth>";
+
 enum class CommandKind {
     Technique,                // options: names, chosen by `selector`
     Pass,                     // options: pass names
-    RenderColorTarget,        // index 0..7; options: texture name or "" (the caller's target; index > 0: unbind)
-    RenderDepthStencilTarget, // options[0] texture name or ""
+    RenderColorTarget,        // index 0..7; options: texture name, kPicture or "" (the caller's target; index > 0: unbind)
+    RenderDepthStencilTarget, // options[0] texture name, kPictureDepth or ""
     ClearSetColor,            // options[0] parameter name
     ClearSetDepth,
     ClearSetStencil,

@@ -172,8 +172,7 @@ private:
         }
     }
 
-    /// An empty name means the caller's target in place 0, and nothing in the others. To other hosts it is the application's own target,
-    /// whoever calls.
+    /// An empty name means the caller's target in place 0, and nothing in the others.
     Result<void> rebind(std::optional<std::string>& place, std::optional<std::string> name) {
         if (place == name) return {};
         place = std::move(name);
@@ -183,12 +182,10 @@ private:
     Result<void> bindColor(int index, const std::string& name, const ScriptState& caller) {
         std::optional<std::string>& place = state_.targets.colors[static_cast<std::size_t>(index)];
         if (!name.empty()) return rebind(place, name);
-        if (index == 0 && effect_.adopted) return rebind(place, "");
         return rebind(place, index == 0 ? caller.targets.colors[0] : std::nullopt);
     }
 
     Result<void> bindDepth(const std::string& name, const ScriptState& caller) {
-        if (name.empty() && effect_.adopted) return rebind(state_.targets.depth, "");
         return rebind(state_.targets.depth, name.empty() ? caller.targets.depth : std::optional(name));
     }
 

@@ -81,39 +81,6 @@ Result<void> checkFormats(const PipelineHandle& pipeline, const Scope& scope) {
     return {};
 }
 
-/// All colour targets of one size; the depth target may be larger, as in Direct3D 9.
-Result<void> checkSizes(const PipelineHandle& pipeline, const Scope& scope) {
-    if (scope.colors.empty()) return {};
-    const TextureDesc& first = scope.colors.front()->desc;
-    const auto differs = [&](const TextureState* color) { return color->desc.width != first.width || color->desc.height != first.height; };
-    const auto odd = std::ranges::find_if(scope.colors, differs);
-    const TextureState* wrong = odd != scope.colors.end() ? *odd : nullptr;
-    if (scope.depth && (scope.depth->desc.width < first.width || scope.depth->desc.height < first.height)) wrong = scope.depth;
-    if (!wrong) return {};
-    return requestError(6036, fmt::format("pipeline '{}': targets '{}' ({}x{}) and '{}' ({}x{}) do not fit together", pipeline.name,
-                                          first.name, first.width, first.height, wrong->desc.name, wrong->desc.width, wrong->desc.height));
-}
-
-Result<void> checkDistinct(const PipelineHandle& pipeline, const Scope& scope) {
-    for (auto color = scope.colors.begin(); color != scope.colors.end(); ++color)
-        if (std::find(color + 1, scope.colors.end(), *color) != scope.colors.end())
-            return requestError(6034, fmt::format("pipeline '{}': '{}' is set as two colour targets", pipeline.name, (*color)->desc.name));
-    return {};
-}
-
-Result<void> checkNotSampled(const PipelineHandle& pipeline, const Scope& scope, const std::vector<BoundResource>& resources) {
-    for (const BoundResource& resource : resources) {
-        const auto* bound = std::get_if<Texture*>(&resource.resource);
-        const TextureState* texture = bound ? state(*bound) : nullptr;
-        if (!texture || (texture != scope.depth && std::ranges::find(scope.colors, texture) == scope.colors.end())) continue;
-        return requestError(6034,
-                            fmt::format("pipeline '{}': '{}' is a {} target of the draw that reads it at set {} binding {}", pipeline.name,
-                                        texture->desc.name, texture == scope.depth ? "depth" : "colour", resource.set, resource.binding),
-                            "draw to another texture and read that one in the next pass");
-    }
-    return {};
-}
-
 /// The resources in the order of the pipeline's bindings, each exactly once and of the right kind: TG6030 to TG6033, TG6038.
 Result<std::vector<const BoundResource*>> matchResources(const PipelineHandle& pipeline, const std::vector<BoundResource>& resources) {
     std::vector<const BoundResource*> matched(pipeline.bindings.size(), nullptr);
@@ -134,36 +101,13 @@ Result<std::vector<const BoundResource*>> matchResources(const PipelineHandle& p
     return requestError(6030, fmt::format("pipeline '{}': {} was not given", pipeline.name, describe(binding)));
 }
 
-/// Targets against each other, the pipeline and the resources: TG6034 to TG6037.
-Result<Scope> checkTargets(const PipelineHandle& pipeline, const Targets& targets, const std::vector<BoundResource>& resources) {
+/// Targets against the pipeline: TG6035, TG6037. That they fit each other, and are bound once, is the caller's to see (host/run/plan.h).
+Result<Scope> checkTargets(const PipelineHandle& pipeline, const Targets& targets) {
     Scope scope{.depth = state(targets.depth)};
     for (const Texture* color : targets.colors)
         scope.colors.push_back(state(color));
-    if (const auto distinct = checkDistinct(pipeline, scope); !distinct) return distinct.error();
-    if (const auto apart = checkNotSampled(pipeline, scope, resources); !apart) return apart.error();
     if (const auto formats = checkFormats(pipeline, scope); !formats) return formats.error();
-    if (const auto sizes = checkSizes(pipeline, scope); !sizes) return sizes.error();
     return scope;
-}
-
-/// No texture that a dispatch writes is bound a second time: TG6034.
-Result<void> checkStored(const PipelineHandle& pipeline, const std::vector<BoundResource>& resources) {
-    const auto textureOf = [](const BoundResource& resource) -> const TextureState* {
-        if (const auto* stored = std::get_if<StoredTexture>(&resource.resource)) return state(stored->texture);
-        const auto* sampled = std::get_if<Texture*>(&resource.resource);
-        return sampled ? state(*sampled) : nullptr;
-    };
-    for (const BoundResource& stored : resources) {
-        if (!std::holds_alternative<StoredTexture>(stored.resource)) continue;
-        for (const BoundResource& other : resources)
-            if (&other != &stored && textureOf(other) == textureOf(stored))
-                return requestError(
-                    6034,
-                    fmt::format("pipeline '{}': '{}' is bound at set {} binding {}, and the dispatch writes it at binding {}",
-                                pipeline.name, textureOf(stored)->desc.name, other.set, other.binding, stored.binding),
-                    "write another texture and read that one in the next pass");
-    }
-    return {};
 }
 
 /// Vertices and indices: TG6039.
@@ -251,7 +195,7 @@ void recordDraw(RecorderState& recorder, const PipelineHandle& pipeline, const D
 
 Result<void> drawChecked(RecorderState& recorder, const Targets& targets, const Draw& draw) {
     const PipelineHandle& pipeline = *draw.pipeline->state;
-    const auto scope = checkTargets(pipeline, targets, draw.resources);
+    const auto scope = checkTargets(pipeline, targets);
     if (!scope) return scope.error();
     const auto resources = matchResources(pipeline, draw.resources);
     if (!resources) return resources.error();
@@ -347,7 +291,6 @@ Result<void> Recorder::dispatch(const Pipeline& pipeline, const std::vector<Boun
         if (auto possible = detail::checkGroups(state_.device, *pipeline.state, groups); !possible) return possible;
         const auto matched = detail::matchResources(*pipeline.state, resources);
         if (!matched) return matched.error();
-        if (auto apart = detail::checkStored(*pipeline.state, resources); !apart) return apart;
         detail::endScope(state_);
         detail::bindResources(state_, *pipeline.state, *matched);
         detail::useResources(state_, *matched, detail::kSampledByDispatch, detail::kStorageInDispatch);

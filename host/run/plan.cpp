@@ -1,7 +1,5 @@
 #include "host/run/plan.h"
 
-#include "host/adopt/adopt.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +70,7 @@ public:
     Result<void> endPass(const Pass&) override { return {}; }
 
     Result<void> external(const ScriptState& state) override {
-        if (effect_.adopted) return drawScene(state);
+        if (const Technique* scene = effect_.findTechnique(kSceneTechnique)) return drawScene(*scene, state);
         for (const auto& name : colorNames(state.targets))
             if (name) plan_.steps.emplace_back(ClearStep{.target = *name, .what = ClearKind::Color, .color = background_});
         if (state.targets.depth) plan_.steps.emplace_back(ClearStep{.target = depthName(*state.targets.depth), .what = ClearKind::Depth});
@@ -100,11 +98,9 @@ public:
 
 private:
     /// Into what the script has cleared.
-    Result<void> drawScene(const ScriptState& state) {
-        const Technique* scene = effect_.findTechnique(kSceneTechnique);
-        if (!scene) return {};
+    Result<void> drawScene(const Technique& scene, const ScriptState& state) {
         DrawStep step{
-            .technique = scene, .pass = &scene->passes.front(), .kind = DrawKind::Geometry, .colors = {}, .depth = {}, .written = written_};
+            .technique = &scene, .pass = &scene.passes.front(), .kind = DrawKind::Geometry, .colors = {}, .depth = {}, .written = written_};
         step.colors = colorNames(state.targets);
         if (step.colors.size() > 1) step.colors.resize(1);
         if (state.targets.depth) step.depth = depthName(*state.targets.depth);

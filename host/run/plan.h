@@ -16,9 +16,6 @@
 
 namespace tegument::run {
 
-/// Names of the caller's targets in a plan; no effect can declare them.
-inline constexpr const char* kPicture = "<picture>";
-inline constexpr const char* kPictureDepth = "<picture depth>";
 /// With several samples a pixel: what the picture's are resolved into. No pass draws to it.
 inline constexpr const char* kPictureResolved = "<picture resolved>";
 /// The resolve's name among the passes' times.

@@ -98,12 +98,16 @@ Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
     return doNotFit(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
 }
 
-/// What the pass samples and draws into is sampled from a copy, where that is allowed.
+/// What a pass writes it binds once. What it samples too is sampled from a copy, where that is allowed.
 Result<void> avoidFeedback(DrawStep& draw, const PassUse& use, const Completion& with, std::vector<Step>& steps) {
     std::vector<std::optional<std::string>> bound = draw.colors;
     bound.push_back(draw.depth);
     bound.insert(bound.end(), use.stored.begin(), use.stored.end());
-    for (const auto& name : bound) {
+    for (auto at = bound.begin(); at != bound.end(); ++at) {
+        const auto& name = *at;
+        if (name && std::find(at + 1, bound.end(), name) != bound.end())
+            return inputError(4024, draw.pass->at, fmt::format("pass {} has {} as two of its targets", draw.pass->name, *name),
+                              "bind another one in one of the places");
         if (!name || !use.sampled.contains(*name)) continue;
         const std::string text = fmt::format("pass {} samples {} while drawing into it", draw.pass->name, *name);
         if (!with.added || draw.kind == DrawKind::Compute)

@@ -135,7 +135,7 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
                                          .keeps = keeps(input.effect, name)});
     AddedTargets added;
     if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings,
-                                       input.effect.adopted ? &added : nullptr);
+                                       input.effect.direct3D9Targets ? &added : nullptr);
         !done)
         return done;
     for (const auto& [name, original] : added.copies)

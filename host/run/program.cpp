@@ -73,7 +73,10 @@ Result<void> gatherStored(const Effect& effect, const Pass& pass, const Reflecti
             return inputError(4062, storage ? storage->at : pass.at,
                               fmt::format("pass {} writes {}, and no target stands behind it", pass.name, resource.name),
                               "gXStore writes the target gXMap; or name another with the annotation Stores");
-        program.use.stored.insert(storage->target->empty() ? kPicture : *storage->target);
+        if (!program.use.stored.insert(storage->target->empty() ? kPicture : *storage->target).second)
+            return inputError(4024, storage->at,
+                              fmt::format("pass {} writes one target as {} and by another name", pass.name, resource.name),
+                              "write each target by one name");
     }
     return {};
 }
@@ -167,6 +170,7 @@ Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler
     auto vertex = madeOf(effect, keyOf(*pass.vertexShader, ShaderStage::Vertex), compiler, stages);
     if (!vertex) return vertex.error();
     program.vertex = std::move(*vertex);
+    if (!spirv::writesPosition(program.vertex.spirv)) return writesNoPosition(pass.vertexShader->entry, pass.vertexShader->at);
     if (pass.pixelShader) {
         auto pixel = madeOf(effect, keyOf(*pass.pixelShader, ShaderStage::Pixel), compiler, stages);
         if (!pixel) return pixel.error();

@@ -42,10 +42,7 @@ const EmbeddedTexture* embedded(const Parameter& parameter, const Mesh* mesh) {
 std::optional<fs::path> resource(const Parameter& parameter, const Effect& effect) {
     const auto name = parameter.annotations.string("ResourceName");
     if (!name || name->empty()) return std::nullopt;
-    if (effect.adopted) return findInAnyCase(effect.file.parent_path(), *name);
-    const fs::path path = effect.file.parent_path() / *name;
-    std::error_code code;
-    return fs::is_regular_file(path, code) ? std::optional(path) : std::nullopt;
+    return findInAnyCase(effect.file.parent_path(), *name);
 }
 
 /// What the effect itself names, as opposed to who draws it.

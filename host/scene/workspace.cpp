@@ -43,7 +43,14 @@ public:
                         {"light", [&](const LocatedJson& v) { readLight(v); }},
                         {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
                         {"textures", [&](const LocatedJson& v) { readTextures(v, workspace_.textures); }},
-                        {"parameters", [&](const LocatedJson& v) { readParameters(v, workspace_.parameters); }}}));
+                        {"parameters", [&](const LocatedJson& v) { readParameters(v, workspace_.parameters); }},
+                        {"technique", [&](const LocatedJson& v) { workspace_.technique = string(v, "technique"); }},
+                        {"setting", [&](const LocatedJson& v) { workspace_.setting = string(v, "setting"); }},
+                        {"size", [&](const LocatedJson& v) { readSize(v); }},
+                        {"samples", [&](const LocatedJson& v) { readSamples(v); }},
+                        {"bind", [&](const LocatedJson& v) { readBinds(v); }},
+                        {"pose", [&](const LocatedJson& v) { workspace_.pose = expandedPath(v, "pose"); }},
+                        {"pose_before", [&](const LocatedJson& v) { workspace_.poseBefore = expandedPath(v, "pose_before"); }}}));
         refuseMeshBesideObjects(root);
         if (error_) return *error_;
         inMillimetres();
@@ -215,6 +222,30 @@ private:
         if (!error_ && !relative && std::ranges::find(value.keys, "position") == value.keys.end())
             fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what),
                  "give its position in units of the world");
+    }
+
+    void readSize(const LocatedJson& value) {
+        constexpr double kMostPixels = 65536;
+        if (!expect(value, LocatedJson::Kind::List, "size")) return;
+        if (value.items.size() != 2)
+            return fail(5402, value, fmt::format("size is a list of {}, but must be one of 2 numbers", value.items.size()), {});
+        const auto pixels = [&](std::size_t i) {
+            return static_cast<int>(number(value.items[i], fmt::format("size[{}]", i), 1, kMostPixels));
+        };
+        workspace_.size = {pixels(0), pixels(1)};
+    }
+
+    void readSamples(const LocatedJson& value) {
+        const double samples = number(value, "samples", 1, 8);
+        workspace_.samples = static_cast<int>(samples);
+        if (!error_ && samples != 1 && samples != 2 && samples != 4 && samples != 8)
+            fail(5403, value, fmt::format("samples is {:g}, but must be 1, 2, 4 or 8", samples), {});
+    }
+
+    void readBinds(const LocatedJson& value) {
+        if (!expect(value, LocatedJson::Kind::Object, "bind")) return;
+        forEachMember(value,
+                      [&](const std::string& name, const LocatedJson& member) { workspace_.binds[name] = string(member, "bind." + name); });
     }
 
     void readTextures(const LocatedJson& value, std::map<std::string, std::string>& textures) {

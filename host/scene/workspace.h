@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tegument {
@@ -64,7 +65,15 @@ struct Workspace : MeshSource {
     Light light{.position = {-2, 4, 6}};
     glm::vec3 background{0};
     std::map<std::string, std::string> textures;           // parameter name or semantic -> file, relative to the workspace file
-    std::map<std::string, std::vector<double>> parameters; // parameter name -> numbers
+    std::map<std::string, std::vector<double>> parameters; // name of a parameter or a switch -> numbers
+    // How its picture is drawn, where the caller does not say it.
+    std::string technique; // empty: the effect's default one
+    std::string setting;   // likewise
+    std::optional<std::pair<int, int>> size;
+    int samples = 0;                          // a pixel; 0: the usual number
+    std::map<std::string, std::string> binds; // of a foreign effect's parameters: AdoptOptions::bind
+    std::string pose;                         // files, relative to the workspace file: the mesh, bent
+    std::string poseBefore;
 };
 
 /// In the frame "world": camera and light are in mm, and no mesh is taken for a head.

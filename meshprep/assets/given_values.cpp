@@ -36,6 +36,13 @@ std::vector<std::string> parameterNames(const Effect& effect) {
     return names;
 }
 
+std::vector<std::string> settableNames(const Effect& effect) {
+    std::vector<std::string> names = parameterNames(effect);
+    for (const Switch& one : switches())
+        names.push_back(one.name);
+    return names;
+}
+
 std::string typeOf(const Parameter& parameter) {
     const Type& type = parameter.type;
     return type.elements ? fmt::format("{}[{}]", type.name, type.elements) : type.name;
@@ -52,6 +59,11 @@ std::string misfit(const Parameter& parameter, const std::vector<double>& number
     if (parameter.type.base != BaseType::Float && !whole)
         return fmt::format("{} is a {}: it takes whole numbers only", parameter.name, typeOf(parameter));
     return {};
+}
+
+bool fits(const Switch& one, const std::vector<double>& numbers) {
+    const double value = numbers.front();
+    return numbers.size() == 1 && value >= one.least && value <= one.most && std::fmod(value - one.least, one.step) == 0;
 }
 
 /// What a workspace gives: of the whole scene, or of one of its objects.
@@ -78,7 +90,7 @@ std::vector<std::string> unknownNames(const Effect& effect, const std::vector<Gi
     std::vector<std::string> unknown;
     for (const Given& one : given) {
         for (const auto& [name, numbers] : *one.parameters)
-            if (!effect.findParameter(name)) unknown.push_back(name);
+            if (!effect.findParameter(name) && !findSwitch(name)) unknown.push_back(name);
         for (const auto& [name, file] : *one.textures)
             if (!takesTexture(effect, name) && !equalsIgnoreCase(name, "DIFFUSE") && !equalsIgnoreCase(name, "NORMAL") &&
                 !equalsIgnoreCase(name, "KERNELSIZE") && !equalsIgnoreCase(name, "SHINE"))
@@ -102,36 +114,79 @@ void dropThoseOfOthers(const Effect& effect, std::vector<std::string>& unknown) 
 } // namespace
 
 const std::vector<Switch>& switches() {
+    constexpr int kMostTexels = 16384;
     static const std::vector<Switch> kSwitches = {
-        {"TEGUMENT_SURROUNDINGS", 1, "skin stands in surroundings: a studio, or gEnvironmentMap"},
-        {"TEGUMENT_LAMPS", 7, "so many lamps beside the scene's light; by default a fill and two rims"},
-        {"TEGUMENT_LAMP_SHADOWS", 3, "so many of the lamps throw shadows"},
-        {"TEGUMENT_SOFT_SHADOWS", 1, "shadows of lamps have penumbras"},
-        {"TEGUMENT_LOBES", 1, "skin mirrors by two lobes"},
-        {"TEGUMENT_SLAB", 1, "DEonLuebke lets through what simulated skin does"},
-        {"TEGUMENT_FUR_COLOR_MAP", 1, "fur has the colour of gFurColorMap"},
-        {"TEGUMENT_FUR_VERTEX_LIGHT", 1, "light of Fur at vertices: faster"},
+        {"TEGUMENT_SURROUNDINGS", "skin stands in surroundings: a studio, or gEnvironmentMap"},
+        {"TEGUMENT_LAMPS", "so many lamps beside the scene's light; by default a fill and two rims", 0, 7},
+        {"TEGUMENT_LAMP_SHADOWS", "so many of the lamps throw shadows", 0, 3},
+        {"TEGUMENT_SOFT_SHADOWS", "shadows of lamps have penumbras"},
+        {"TEGUMENT_LOBES", "skin mirrors by two lobes"},
+        {"TEGUMENT_SLAB", "DEonLuebke lets through what simulated skin does"},
+        {"TEGUMENT_NORMAL_XY", "the normal map has two channels (BC5, RG8)"},
+        {"TEGUMENT_FUR_COLOR_MAP", "fur has the colour of gFurColorMap"},
+        {"TEGUMENT_FUR_VERTEX_LIGHT", "light of Fur at vertices: faster"},
+        {"TEGUMENT_FUR_POSE", "FurCoat follows bodies that bend: --pose sets it"},
+        {"TEGUMENT_MOTION", "FurCoat writes motion vectors"},
+        {"TEGUMENT_RIBBON_ROWS", "rows of the maps of fur by compute shaders", 1, kMostTexels},
+        {"TEGUMENT_MAP_SIZE", "texels along each side of the texture-space maps: --map-size", 1, kMostTexels},
+        {"TEGUMENT_SHADOW_SIZE", "of the maps that are seen from the light: --shadow-size", 1, kMostTexels},
+        {"TEGUMENT_MAP_BITS", "bits per channel of the irradiance maps", 16, 32, 16},
+        {"TEGUMENT_PEERS_AS_PRINTED", "kernels of effects/peers as their authors print them"},
+        {"TEGUMENT_SEAM_REPAIR", "0 to measure: texels outside the charts count as valid"},
+        {"TEGUMENT_CULL_FRUSTUM", "0 to measure: the prepasses leave this cause out"},
+        {"TEGUMENT_CULL_BACK_FACES", "likewise"},
+        {"TEGUMENT_CULL_BLACK", "likewise"},
+        {"TEGUMENT_SHADOW_FROM_TSM", "0 to measure: a shadow map of its own"},
     };
     return kSwitches;
+}
+
+std::string Switch::range() const {
+    return fmt::format("{}{}{}", least, step == 1 ? ".." : " or ", most);
+}
+
+const Switch* findSwitch(std::string_view name) {
+    const auto found = std::ranges::find(switches(), name, &Switch::name);
+    return found == switches().end() ? nullptr : &*found;
+}
+
+bool takesSwitches(const Effect& effect) {
+    return std::ranges::any_of(effect.includes, [](const std::filesystem::path& file) { return file.filename() == "settings.fxh"; });
 }
 
 Result<std::vector<std::pair<std::string, std::string>>> takeSwitches(std::vector<std::string>& sets) {
     std::vector<std::pair<std::string, std::string>> defines;
     for (auto set = sets.begin(); set != sets.end();) {
         const std::size_t equals = set->find('=');
-        const auto found = std::ranges::find(switches(), set->substr(0, equals), &Switch::name);
-        if (found == switches().end()) {
+        const Switch* found = findSwitch(set->substr(0, equals));
+        if (!found) {
             ++set;
             continue;
         }
-        const std::string value = equals == std::string::npos ? "1" : set->substr(equals + 1);
-        if (value.size() != 1 || value[0] < '0' || value[0] - '0' > found->most)
-            return usageError(8013, fmt::format("--set {}: a whole number from 0 to {} is expected", *set, found->most),
+        const auto numbers = equals == std::string::npos ? std::vector<double>{1} : parseNumbers(set->substr(equals + 1));
+        if (!numbers || !fits(*found, *numbers))
+            return usageError(8013, fmt::format("--set {}: a whole number is expected, {}", *set, found->range()),
                               fmt::format("{}: {}", found->name, found->meaning));
-        defines.emplace_back(found->name, value);
+        defines.emplace_back(found->name, fmt::format("{:.0f}", numbers->front()));
         set = sets.erase(set);
     }
     return defines;
+}
+
+Result<std::vector<std::string>> switchesOf(const Workspace& workspace) {
+    std::vector<std::string> given;
+    const SourcePosition at{.file = workspace.file.string()};
+    for (const auto& [name, numbers] : workspace.parameters) {
+        const Switch* found = findSwitch(name);
+        if (found && !fits(*found, numbers))
+            return inputError(8019, at, fmt::format("{} is a switch: it takes a whole number, {}", name, found->range()));
+        if (found) given.push_back(fmt::format("{}={:.0f}", name, numbers.front()));
+    }
+    for (const SceneObject& object : workspace.objects)
+        for (const auto& [name, numbers] : object.parameters)
+            if (findSwitch(name))
+                return inputError(8019, at, fmt::format("{} is a switch of the whole scene, not of one of its objects", name));
+    return given;
 }
 
 Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run) {
@@ -143,10 +198,7 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
     const Parameter* parameter = effect.findParameter(name);
     const bool texture = parameter ? parameter->type.isTexture() : takesTexture(effect, name); // textures go by their semantic, too
     if (!parameter && !texture) {
-        std::vector<std::string> names = parameterNames(effect);
-        for (const Switch& one : switches())
-            names.push_back(one.name);
-        const std::string near = didYouMean(name, names);
+        const std::string near = didYouMean(name, settableNames(effect));
         return usageError(8012, fmt::format("--set {}: {} has no parameter '{}'", set, effect.file.string(), name),
                           near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near);
     }
@@ -213,7 +265,7 @@ Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const
     dropThoseOfOthers(effect, unknown);
     std::vector<Diagnostic> warnings;
     for (const std::string& name : unknown) {
-        const std::string near = didYouMean(name, parameterNames(effect));
+        const std::string near = didYouMean(name, settableNames(effect));
         warnings.push_back(inputWarning(8018, at, fmt::format("no effect has a parameter '{}': it is passed over", name),
                                         near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near));
     }

@@ -15,15 +15,25 @@ namespace tegument::assets {
 /// A switch of the effects: a macro, so that what it leaves out is never compiled.
 struct Switch {
     std::string name;
-    int most; // from 0 on
     std::string meaning;
+    int least = 0;
+    int most = 1;
+    int step = 1;
+
+    [[nodiscard]] std::string range() const;
 };
 
-/// Those that a picture is made with, of hlsl/settings.fxh.
+/// Those of hlsl/settings.fxh that have numbers.
 [[nodiscard]] const std::vector<Switch>& switches();
+/// None: it is no switch.
+[[nodiscard]] const Switch* findSwitch(std::string_view name);
+/// The effect includes hlsl/settings.fxh; another's macros are not known.
+[[nodiscard]] bool takesSwitches(const Effect& effect);
 
 /// Takes those of them that name a switch: NAME=VALUE, as definitions. TG8013 a value that it does not have.
 [[nodiscard]] Result<std::vector<std::pair<std::string, std::string>>> takeSwitches(std::vector<std::string>& sets);
+/// Those among a workspace's parameters, as NAME=VALUE. TG8019 a value that it does not have.
+[[nodiscard]] Result<std::vector<std::string>> switchesOf(const Workspace& workspace);
 
 /// NAME=VALUE: numbers for a numeric parameter, a file for a texture. TG8011 no '=', TG8012 no such parameter, TG8013 not that many finite
 /// numbers, or not whole ones; TG8008 no such file.

@@ -24,11 +24,9 @@ std::string usualWorkspace(const Effect& effect) {
 }
 
 bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshFor) {
-    const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, &Pass::drawsGeometry); };
+    const auto draws = [&](const Technique& candidate) { return drawsMesh(effect, candidate); };
     if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
     const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
-    const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
-    if (chosen && effect.adopted && std::ranges::any_of(chosen->script.commands, external)) return true;
     return chosen && draws(*chosen);
 }
 
@@ -89,9 +87,62 @@ Result<Compiler> chosenCompiler(const std::string& name) {
     return machineError(8015, fmt::format("the compiler is not available: {}", why), "run ./bootstrap build, or use --compiler glslang");
 }
 
-Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, const Say& say) {
-    const auto size = parseSize(options.size);
-    if (!size) return size.error();
+namespace {
+
+/// With the switches among the values, which are taken out of them. Of a macro that is given twice the last one counts.
+Result<LoadOptions> loadOptions(JobOptions& options, const std::string& workspace) {
+    LoadOptions load = loadOptions(options.effect);
+    if (!workspace.empty()) load.roots.folders.push_back(std::filesystem::path(workspace).parent_path());
+    if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
+    if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
+    const auto switched = takeSwitches(options.sets);
+    if (!switched) return switched.error();
+    load.defines.insert(load.defines.end(), switched->begin(), switched->end());
+    std::vector<std::pair<std::string, std::string>> defines;
+    for (auto& define : load.defines) {
+        std::erase_if(defines, [&](const auto& before) { return before.first == define.first; });
+        defines.push_back(std::move(define));
+    }
+    load.defines = std::move(defines);
+    return load;
+}
+
+/// What the workspace says of how the picture is drawn, where the options do not. A technique or setting that the effect lacks is passed
+/// over, and said.
+Result<std::vector<Diagnostic>> complete(JobOptions& options, const Workspace& workspace, const Effect& effect) {
+    const auto switched = switchesOf(workspace);
+    if (!switched) return switched.error();
+    if (takesSwitches(effect)) options.effect.defines.insert(options.effect.defines.begin(), switched->begin(), switched->end());
+    std::vector<Diagnostic> notes;
+    const auto lacks = [&](const char* what, const std::string& name) {
+        notes.push_back(inputWarning(8018, {.file = workspace.file.string()},
+                                     fmt::format("{} has no {} '{}': it is passed over", effect.file.string(), what, name),
+                                     fmt::format("tegument info {} lists them", shellWord(effect.file.string()))));
+    };
+    if (options.technique.empty() && !workspace.technique.empty())
+        effect.findTechnique(workspace.technique) ? void(options.technique = workspace.technique) : lacks("technique", workspace.technique);
+    if (options.effect.setting.empty() && !workspace.setting.empty()) {
+        const bool has = effect.settings && std::ranges::find(effect.settings->names, workspace.setting) != effect.settings->names.end();
+        has ? void(options.effect.setting = workspace.setting) : lacks("setting", workspace.setting);
+    }
+    if (options.size.empty() && workspace.size) options.size = fmt::format("{}x{}", workspace.size->first, workspace.size->second);
+    if (options.samples == 0) options.samples = workspace.samples;
+    for (const auto& [name, rule] : workspace.binds)
+        options.binds.insert(options.binds.begin(), fmt::format("{}={}", name, rule));
+    const auto beside = [&](std::string& given, const std::string& path) {
+        if (given.empty() && !path.empty()) given = (workspace.file.parent_path() / path).string();
+    };
+    if (options.scene.mesh.empty()) {
+        beside(options.scene.pose, workspace.pose);
+        beside(options.scene.poseBefore, workspace.poseBefore);
+    }
+    return notes;
+}
+
+} // namespace
+
+Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const Say& say) {
+    JobOptions options = given;
     const auto file = findEffect(options.file);
     if (!file) return file.error();
     SceneOptions sceneOptions = options.scene;
@@ -103,28 +154,36 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     }
     if (!options.scene.mesh.empty())
         if (const auto exists = fileExists(options.scene.mesh, "--mesh"); !exists) return exists.error();
-    LoadOptions load = loadOptions(options.effect);
-    if (!sceneOptions.workspace.empty()) load.roots.folders.push_back(std::filesystem::path(sceneOptions.workspace).parent_path());
+    auto load = loadOptions(options, sceneOptions.workspace);
+    if (!load) return load.error();
+    auto effect = loadEffect(*file, *load);
+    if (!effect) return effect.error();
+    sceneOptions.usual = usualWorkspace(*effect);
+    const auto workspace = chooseWorkspace(sceneOptions, false);
+    if (!workspace) return workspace.error();
+    options.sets = given.sets;
+    const auto notes = complete(options, *workspace, *effect);
+    if (!notes) return notes.error();
+    const LoadOptions before = std::exchange(*load, *loadOptions(options, sceneOptions.workspace));
+    if (load->defines != before.defines || load->setting != before.setting) effect = loadEffect(*file, *load);
+    if (!effect) return effect.error();
+    const std::vector<std::string>& sets = options.sets;
+    const auto size = parseSize(options.size.empty() ? options.usualSize : options.size);
+    if (!size) return size.error();
     for (const std::string& pose : {options.scene.pose, options.scene.poseBefore})
         if (!pose.empty())
             if (const auto exists = fileExists(pose, "--pose"); !exists) return exists.error();
-    if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
-    if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
-    std::vector<std::string> sets = options.sets;
-    const auto switched = takeSwitches(sets);
-    if (!switched) return switched.error();
-    load.defines.insert(load.defines.end(), switched->begin(), switched->end());
+    sceneOptions.pose = options.scene.pose;
+    sceneOptions.poseBefore = options.scene.poseBefore;
     sceneOptions.pictures = std::ranges::any_of(sets, [](const std::string& set) { return isPainted(set); });
-    sceneOptions.roots = load.roots;
-    sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load.includeFolders.begin(), load.includeFolders.end());
-    auto effect = loadEffect(*file, load);
-    if (!effect) return effect.error();
+    sceneOptions.roots = load->roots;
+    sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load->includeFolders.begin(), load->includeFolders.end());
     if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();
     const auto rules = bindRules(options.binds);
     if (!rules) return rules.error();
     Adoption foreign =
         adopted(std::move(*effect), {.bind = *rules, .technique = options.technique, .width = size->first, .height = size->second});
-    Job job{.effect = std::move(foreign.effect)};
+    Job job{.effect = std::move(foreign.effect), .load = std::move(*load)};
     job.bindings = std::move(foreign.bindings);
     job.run.technique = options.technique;
     job.run.width = size->first;
@@ -144,16 +203,18 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     if (sceneOptions.portrait)
         if (const auto map = job.run.textures.find("gSkinMap"); map != job.run.textures.end())
             sceneOptions.portrait->colorMap = map->second;
-    sceneOptions.usual = usualWorkspace(job.effect);
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     sceneOptions.turns = turns;
-    sceneOptions.foreign = job.effect.adopted;
+    sceneOptions.unitSize = job.effect.unitSize;
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);
     auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
     if (!warnings) return warnings.error();
+    for (const auto& [name, value] : job.load.defines)
+        if (findSwitch(name)) job.scene.workspace.parameters[name] = {std::strtod(value.c_str(), nullptr)}; // so that it is saved
     job.warnings = std::move(foreign.notes);
+    job.warnings.insert(job.warnings.end(), notes->begin(), notes->end());
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
     job.run.assets = meshAssets(say);
     setFurMapParameters(job.effect, job.run, job.scene);

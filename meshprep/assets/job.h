@@ -31,12 +31,13 @@ struct JobOptions {
     EffectOptions effect;
     std::string technique;
     SceneOptions scene;
-    std::string preset; // of the effect; empty: none
-    std::vector<std::string> sets;
-    std::vector<std::string> binds; // NAME=RULE
-    std::string size = "1024x1024";
-    int samples = 0;               // a pixel; 0: kUsualSamples, or one where the technique cannot have several
-    std::string picture = "float"; // the caller's colour target: float or half
+    std::string preset;                  // of the effect; empty: none
+    std::vector<std::string> sets;       // NAME=VALUE of parameters, textures and switches
+    std::vector<std::string> binds;      // NAME=RULE
+    std::string size;                    // empty: the workspace's
+    std::string usualSize = "1024x1024"; // where that has none
+    int samples = 0;                     // a pixel; 0: the workspace's, else kUsualSamples, or one where the technique cannot have several
+    std::string picture = "float";       // the caller's colour target: float or half
     std::string compiler;
     std::string device;
     bool validate = false;
@@ -44,7 +45,8 @@ struct JobOptions {
 
 struct Job {
     Effect effect;
-    Scene scene;
+    LoadOptions load; // that it was loaded with
+    Scene scene;      // its workspace has every switch that is set
     RunOptions run;
     std::vector<Diagnostic> warnings;         // of what the workspace gives, and what stands in for what a foreign effect lacks
     std::vector<ParameterBinding> bindings{}; // of a foreign effect
@@ -65,6 +67,7 @@ inline constexpr int kUsualSamples = 4;
 /// "dxc", "glslang", or the default for no name. TG8015 it is not there.
 [[nodiscard]] Result<Compiler> chosenCompiler(const std::string& name);
 
+/// What the options leave open, the workspace says: technique, setting, size, samples, switches, bindings and poses.
 /// TG8006 to TG8009 a file or technique that does not exist, TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler
 /// is not there, TG8019 a workspace's value that cannot be, TG8043 no such preset; and whatever loading says.
 /// `turns`: a mesh of one's own is framed so that it can turn.

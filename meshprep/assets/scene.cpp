@@ -23,23 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its light, its background and its
-/// parameters stay.
-Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
-    const WorkspaceOptions load = workspaceOptions(mesh && options.mesh.empty());
-    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
-    const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
-    std::error_code code;
-    if (!fs::is_regular_file(usual, code)) return Workspace{};
-    Result<Workspace> workspace = loadWorkspace(usual, load);
-    if (!workspace || options.mesh.empty()) return workspace;
-    workspace->attribution.clear(); // these spoke of its mesh
-    workspace->textures.clear();
-    workspace->unitMm.reset();
-    workspace->flipV = false;
-    return workspace;
-}
-
 fs::path beside(const Workspace& workspace, const std::string& path) {
     return workspace.file.has_parent_path() ? workspace.file.parent_path() / path : fs::path(path);
 }
@@ -173,7 +156,7 @@ bool anyPainted(const std::map<std::string, std::string>& textures) {
 
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
-    if (path.empty() && options.foreign) return ball();
+    if (path.empty() && options.unitSize) return ball();
     if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
     MeshOptions load = meshOptions(workspace);
     if (options.unitMm) load.unitMm = options.unitMm;
@@ -205,8 +188,13 @@ void toUnitSize(Mesh& mesh) {
 
 /// The workspace as it would have to be to say the same without the command line.
 void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
-    std::error_code none;
-    if (!options.mesh.empty()) workspace.meshPath = fs::absolute(options.mesh, none).string();
+    const auto whole = [](const std::string& path) {
+        std::error_code none;
+        return path.empty() ? path : fs::absolute(path, none).string();
+    };
+    if (!options.mesh.empty()) workspace.meshPath = whole(options.mesh);
+    workspace.pose = whole(options.pose);
+    workspace.poseBefore = whole(options.poseBefore);
     if (!options.mesh.empty() || options.unitMm) workspace.unitMm = mesh.unitMm;
     if (isFramed(options)) workspace.head = false;
     if (options.head) workspace.head = *options.head;
@@ -243,6 +231,21 @@ void turn(double degrees, Scene& scene) {
 
 } // namespace
 
+Result<Workspace> chooseWorkspace(const SceneOptions& options, bool requireMesh) {
+    const WorkspaceOptions load = workspaceOptions(requireMesh && options.mesh.empty());
+    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
+    const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
+    std::error_code code;
+    if (!fs::is_regular_file(usual, code)) return Workspace{};
+    Result<Workspace> workspace = loadWorkspace(usual, load);
+    if (!workspace || options.mesh.empty()) return workspace;
+    workspace->attribution.clear(); // these spoke of its mesh
+    workspace->textures.clear();
+    workspace->unitMm.reset();
+    workspace->flipV = false;
+    return workspace;
+}
+
 WorkspaceOptions workspaceOptions(bool requireMesh) {
     return {.requireMesh = requireMesh, .makers = {{"human", "tegument prep human"}, {"fur", "tegument prep bunny"}}};
 }
@@ -263,14 +266,14 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     }
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
-    if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
+    if (options.unitSize && options.workspace.empty()) toUnitSize(*mesh);
     if (const auto read = readPoses(options, *mesh, scene); !read) return read.error();
     if (options.portrait) {
         if (const auto laid = portray(options, scene, *mesh); !laid) return laid.error();
     } else if (isFramed(options)) {
         frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
     }
-    if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
+    if (options.unitSize && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
         scene.workspace.camera.nearPlane = 0.1F;
         scene.workspace.camera.farPlane = 100;
     }

@@ -22,10 +22,10 @@ struct SceneOptions {
     std::optional<double> unitMm;
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
-    double turn = 0;      // degrees that the scene is turned by, counter-clockwise seen from above; camera and light stay for the viewer
-    double aspect = 1;    // of the picture
-    bool foreign = false; // the effect is another host's: without a mesh it is shown on a ball, and its world is about as large
-    bool turns = false;   // a mesh of one's own is framed so that it can turn
+    double turn = 0;       // degrees that the scene is turned by, counter-clockwise seen from above; camera and light stay for the viewer
+    double aspect = 1;     // of the picture
+    bool unitSize = false; // the effect expects a mesh of radius 1: without one it is shown on a ball
+    bool turns = false;    // a mesh of one's own is framed so that it can turn
     std::optional<PortraitHints> portrait{}; // the mesh is a head, to be laid and framed as in a portrait
     bool pictures = false; // a picture is given for the mesh: its coordinates stay as they are (MeshOptions::ownCoordinates)
     Roots roots{};         // where else files may lie that meshes name
@@ -48,6 +48,10 @@ struct Scene {
 
 /// A workspace whose mesh is one that the program makes, and is not there, names the command.
 [[nodiscard]] WorkspaceOptions workspaceOptions(bool requireMesh = true);
+
+/// The one that is named, else the usual one, else built-in defaults. With a mesh of one's own only light, background and parameters of a
+/// usual one stay, and what it says of how the picture is drawn.
+[[nodiscard]] Result<Workspace> chooseWorkspace(const SceneOptions& options, bool requireMesh);
 
 /// Without `needsMesh` none is read, nor need it exist. TG8014 none was given, TG8017 --mesh or --unit-mm for a scene of several objects.
 [[nodiscard]] Result<Scene> loadScene(const SceneOptions& options, bool needsMesh);

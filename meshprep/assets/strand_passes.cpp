@@ -2,6 +2,7 @@
 
 #include "host/run/target_desc.h"
 #include "host/support/text.h"
+#include "meshprep/assets/given_values.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 
 #include <fmt/format.h>
@@ -156,7 +157,8 @@ std::string howToGive(const Pass& pass, double wanted) {
     const auto macro = pass.annotations.string("RowsMacro");
     if (!macro || wanted > run::kMaxExtent)
         return fmt::format("take fewer strands, or a technique without compute shaders: a target has {} rows at most", run::kMaxExtent);
-    return fmt::format("-D {}={:.0f}, fewer strands, or a technique without compute shaders", *macro, wanted);
+    return fmt::format("{} {}={:.0f}, fewer strands, or a technique without compute shaders", findSwitch(*macro) ? "--set" : "-D", *macro,
+                       wanted);
 }
 
 } // namespace

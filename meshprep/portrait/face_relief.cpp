@@ -55,8 +55,11 @@ public:
         std::array<std::vector<double>, 2> sides;
         for (auto& side : sides)
             side.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -INFINITY);
+        back_.assign(static_cast<std::size_t>(rows_), INFINITY);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const bool right = glm::dot(samples[i].point - middle, left) < 0;
+            double& back = back_[static_cast<std::size_t>((seen[i].y - low_) / cell)];
+            back = std::min(back, seen[i].z);
             double& depth = sides[right][at(static_cast<int>(seen[i].x / cell), static_cast<int>((seen[i].y - low_) / cell))];
             depth = std::max(depth, seen[i].z);
         }
@@ -68,6 +71,19 @@ public:
         fill();
     }
 
+    /// From the foremost place of the middle to the hindmost one at a height.
+    [[nodiscard]] double length(double above) const {
+        const int row = rowAt(above);
+        return depth_[at(0, row)] - back_[static_cast<std::size_t>(row)];
+    }
+    /// Half the width there.
+    [[nodiscard]] double reach(double above) const {
+        const int row = rowAt(above);
+        int column = columns_ - 1;
+        while (column >= 0 && !std::isfinite(depth_[at(column, row)]))
+            --column;
+        return (column + 1) * cell_;
+    }
     [[nodiscard]] double low() const { return low_; }
     [[nodiscard]] double high() const { return high_; }
 
@@ -88,7 +104,9 @@ private:
     double low_ = 0, high_ = 0, wide_ = 0;
     int columns_ = 0, rows_ = 0;
     std::vector<double> depth_;
+    std::vector<double> back_; // of each row
 
+    [[nodiscard]] int rowAt(double above) const { return std::clamp(static_cast<int>((above - low_) / cell_), 0, rows_ - 1); }
     [[nodiscard]] std::size_t at(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
@@ -208,7 +226,14 @@ FaceMatch matchFace(const std::vector<SurfaceSample>& samples, const glm::dvec3&
     const DepthMap map(samples, middle, up, front, radius / 26);
     FaceMatch best;
     double bestAbove = 0;
+    // Above a face stands a scalp with hair or a hat, and beside it ears with hair: what is larger is no head that way, or not so small.
+    constexpr double kMostAbove = 350; // mm of the nasion
+    constexpr double kMostBeside = 150;
+    constexpr double kMostBehind = 330;
     const auto take = [&](double above, double millimetre) {
+        if (map.high() - above > kMostAbove * millimetre || map.reach(above) > kMostBeside * millimetre ||
+            map.length(above) > kMostBehind * millimetre)
+            return;
         const auto seen = reliefAt(map, above, millimetre);
         const double likeness = seen ? likenessOf(*seen) : -1;
         if (likeness <= best.likeness) return;

@@ -5,6 +5,7 @@
 #include "meshprep/portrait/surface_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -65,8 +66,10 @@ bool isCertain(const HeadPose& pose) {
     return pose.likeness >= kLeastLikeness && pose.likeness - pose.runnerUp >= kLeastLead;
 }
 
-std::optional<HeadPose> guessHeadPose(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                                      const HeadPoseHints& hints) {
+namespace {
+
+std::optional<HeadPose> guessWhole(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                   const HeadPoseHints& hints) {
     const std::vector<SurfaceSample> samples = sampleSurface(positions, indices);
     if (samples.empty()) return std::nullopt;
     HeadPose pose;
@@ -124,6 +127,61 @@ std::optional<HeadPose> guessHeadPose(std::span<const glm::vec3> positions, std:
     snap(pose);
     pose.left = glm::cross(pose.up, pose.front);
     return pose;
+}
+
+/// The triangles within a share of the mesh's extent from one of its ends.
+std::vector<std::uint32_t> endOf(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices, int axis, float least,
+                                 float most) {
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        const auto inside = [&](std::size_t corner) {
+            const float place = positions[indices[i + corner]][axis];
+            return place >= least && place <= most;
+        };
+        if (inside(0) && inside(1) && inside(2)) kept.insert(kept.end(), {indices[i], indices[i + 1], indices[i + 2]});
+    }
+    return kept;
+}
+
+/// A body's head is one of the ends of its longest axes. None: the mesh is not so long.
+std::optional<HeadPose> guessAtEnds(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                    const HeadPoseHints& hints) {
+    constexpr std::array<float, 2> kShares = {0.17F, 0.25F}; // of a grown person's height, and of a figure with a large head
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const std::uint32_t index : indices)
+        low = glm::min(low, positions[index]), high = glm::max(high, positions[index]);
+    const glm::vec3 size = high - low;
+    const float longest = std::max({size.x, size.y, size.z});
+    if (longest < 2.2F * std::min({size.x, size.y, size.z})) return std::nullopt;
+    std::optional<HeadPose> best;
+    double runnerUp = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool top : {false, true}) {
+            if (size[axis] < 0.6F * longest) continue;
+            std::optional<HeadPose> here; // another share of the same end shows the same face
+            for (const float share : kShares) {
+                const float inner = top ? high[axis] - share * size[axis] : low[axis] + share * size[axis];
+                const auto pose =
+                    guessWhole(positions, endOf(positions, indices, axis, top ? inner : low[axis], top ? high[axis] : inner), hints);
+                const float along = pose ? static_cast<float>(top ? pose->up[axis] : -pose->up[axis]) : 0.0F;
+                if (along > 0.7F && (!here || pose->likeness > here->likeness)) here = pose;
+            }
+            if (!here) continue;
+            if (!best || here->likeness > best->likeness) std::swap(best, here);
+            if (here) runnerUp = std::max(runnerUp, here->likeness);
+        }
+    if (best) best->runnerUp = std::max(best->runnerUp, runnerUp);
+    return best;
+}
+
+} // namespace
+
+std::optional<HeadPose> guessHeadPose(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                      const HeadPoseHints& hints) {
+    auto pose = guessWhole(positions, indices, hints);
+    if (!pose || isCertain(*pose)) return pose;
+    const auto ofBody = guessAtEnds(positions, indices, hints);
+    return ofBody && isCertain(*ofBody) ? ofBody : pose;
 }
 
 } // namespace tegument

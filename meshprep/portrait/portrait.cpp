@@ -76,6 +76,26 @@ void turn(Mesh& mesh, const HeadPose& pose, double scale) {
         computeClusters(mesh, part);
 }
 
+void turnTrianglesOver(Mesh& mesh) {
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+}
+
+/// On the side from which the triangles are seen.
+void turnNormalsOut(Mesh& mesh) {
+    if (mesh.normals.empty()) return;
+    double along = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t *corner = &mesh.indices[i], first = *corner;
+        const glm::vec3 a = mesh.positions[corner[1]] - mesh.positions[first], b = mesh.positions[corner[2]] - mesh.positions[first];
+        along += static_cast<double>(glm::dot(glm::cross(a, b), mesh.normals[first]));
+    }
+    for (glm::vec3& normal : mesh.normals)
+        if (along < 0) normal = -normal;
+    mesh.tangents.clear();
+    if (!mesh.uvs.empty()) computeTangents(mesh);
+}
+
 void flip(Mesh& mesh) {
     for (glm::vec2& uv : mesh.uvs)
         uv.y = 1 - uv.y;
@@ -134,6 +154,20 @@ double unitOfFace(double millimetre, double declared) {
     return std::round(wanted / step) * step;
 }
 
+bool isInsideOut(const Mesh& mesh, const HeadPose& pose) {
+    constexpr double kClearly = 0.4; // cosine
+    double back = 0, all = 0;
+    for (const SurfaceSample& s : sampleSurface(mesh.positions, mesh.indices)) {
+        const glm::dvec3 p = (s.point - pose.nasion) / pose.millimetre;
+        const double across = glm::dot(p, pose.left), above = glm::dot(p, pose.up), ahead = glm::dot(p, pose.front);
+        const double facing = glm::dot(s.normal, pose.front);
+        if (std::abs(across) > 55 || above < -100 || above > 45 || ahead < -35 || ahead > 35 || std::abs(facing) < kClearly) continue;
+        all += 1;
+        back += facing < 0 ? 1 : 0;
+    }
+    return back > 0.7 * all;
+}
+
 std::optional<bool> isFlipped(const Mesh& mesh, const HeadPose& pose, const Image& picture) {
     constexpr std::array<Region, 4> kRegions = {kLips, kCheeks, kBrowsAndEyes, kForehead};
     std::array<std::array<Mean, 4>, 2> means{};
@@ -187,6 +221,15 @@ Result<LaidHead> layHead(Mesh& mesh, const PortraitHints& hints) {
     if (unit != mesh.unitMm)
         head.guesses.push_back(
             fmt::format("guessed: one unit of the file is {:g} mm, by the size of the face; another: --unit-mm X", unit));
+    const bool insideOut = pose.likeness >= kLeastLikeness && isInsideOut(mesh, pose);
+    const bool mirrored = hints.mirror.value_or(insideOut);
+    if (insideOut) {
+        turnTrianglesOver(mesh);
+        constexpr int kInsideOut = 5332; // which it is no longer
+        std::erase_if(mesh.warnings, [](const Diagnostic& warning) { return warning.code == kInsideOut; });
+    }
+    if (insideOut && !hints.mirror)
+        head.guesses.push_back("guessed: the file is mirrored, by its surface, which is inside out; not so: --mirror=false");
     const auto picture = mesh.uvs.empty() ? Result<std::optional<Image>>(std::optional<Image>()) : pictureOf(mesh, hints);
     if (!picture) return picture.error();
     const auto seen = !hints.flipV && *picture ? isFlipped(mesh, pose, **picture) : std::nullopt;
@@ -195,7 +238,12 @@ Result<LaidHead> layHead(Mesh& mesh, const PortraitHints& hints) {
                                : *seen ? "guessed: v points up in the file, by lips and eyes in the picture; not so: --flip-v=false"
                                        : "guessed: v points as the format says, by lips and eyes in the picture; other: --flip-v");
     const double scale = unit / mesh.unitMm;
+    if (mirrored) {
+        pose.left = -pose.left;
+        turnTrianglesOver(mesh);
+    }
     turn(mesh, pose, scale);
+    if (mirrored || insideOut) turnNormalsOut(mesh);
     if (hints.flipV.value_or(seen.value_or(false)) && !mesh.uvs.empty()) flip(mesh);
     const glm::dmat3 rows = glm::transpose(glm::dmat3(pose.left, pose.up, pose.front));
     head.nasion = glm::vec3(rows * pose.nasion * scale);

@@ -15,7 +15,8 @@ struct PortraitHints {
     std::optional<glm::dvec3> front; // likewise
     std::optional<double> unitMm;
     std::optional<bool> flipV;
-    std::string colorMap; // a file; empty: the mesh's own
+    std::optional<bool> mirror; // left and right change
+    std::string colorMap;       // a file; empty: the mesh's own
 };
 
 struct LaidHead {
@@ -32,7 +33,10 @@ struct LaidHead {
 /// way.
 [[nodiscard]] std::optional<bool> isFlipped(const Mesh& mesh, const HeadPose& pose, const Image& picture);
 
-/// Turns and scales the mesh, which was read with `mesh.unitMm`, and flips v. TG5336 where its shape does not say how it lies.
+/// Whether the face's triangles are seen from behind, as those of a file whose left and right were changed.
+[[nodiscard]] bool isInsideOut(const Mesh& mesh, const HeadPose& pose);
+
+/// Turns, mirrors and scales the mesh, which was read with `mesh.unitMm`, and flips v. TG5336 where its shape does not say how it lies.
 [[nodiscard]] Result<LaidHead> layHead(Mesh& mesh, const PortraitHints& hints);
 
 /// The places of a laid head that the picture shows whole: from the crown to the neck.

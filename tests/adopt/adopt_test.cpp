@@ -160,7 +160,7 @@ TEST(ForeignPasses, without_a_matrix_cover_the_target_and_others_place_the_mesh)
 TEST(ForeignPasses, of_this_hosts_own_effects_stay_as_they_are) {
     const Adoption own = adopted(loaded("#ifdef FX_ENTRY\n#endif\nfloat4 V(float4 p : POSITION) : SV_Position { return p; }\n"
                                         "technique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, V())); } }"));
-    EXPECT_FALSE(own.effect.adopted);
+    EXPECT_FALSE(own.effect.displayColours);
     EXPECT_TRUE(own.effect.techniques[0].passes[0].vertexShader->code.empty());
 }
 

@@ -21,18 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string describe(const FileReport& file) {
-    std::string text = file.file.string() + " " + file.variant + "\n";
-    for (const Diagnostic& diagnostic : file.diagnostics)
-        text += format(diagnostic) + "\n";
-    for (const TargetCheck& target : file.targets) {
-        text += std::string(targetName(target.target)) + " " + target.reason + "\n";
-        for (const Diagnostic& diagnostic : target.diagnostics)
-            text += format(diagnostic) + "\n";
-    }
-    return text;
-}
-
 class Check : public testing::Test {
 protected:
     Check() : folder_(fs::temp_directory_path() / ("tegument-check-" + std::to_string(::getpid()))) { fs::create_directories(folder_); }

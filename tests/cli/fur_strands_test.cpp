@@ -205,7 +205,7 @@ TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_t
     ASSERT_EQ(fits.code, 0) << fits.err;
     const Ran less = drawn("TEGUMENT_RIBBON_ROWS=16");
     ASSERT_EQ(less.code, 1);
-    const std::string before = "-D TEGUMENT_RIBBON_ROWS=";
+    const std::string before = "--set TEGUMENT_RIBBON_ROWS=";
     const std::size_t at = less.err.find(before);
     ASSERT_TRUE(less.err.find("TG4064") != std::string::npos && at != std::string::npos) << less.err;
     const int needed = std::stoi(less.err.substr(at + before.size()));

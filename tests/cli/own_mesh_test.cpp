@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
 
 using namespace tegument::test;
 using ::tegument::Image;
@@ -429,4 +432,91 @@ TEST(Switches, are_set_like_parameters) {
     const Ran near = tegument::test::tegument({"render", "Specular", "--mesh", ballMesh(), "--set", "TEGUMENT_LAMP=1", "-o", out("x.png")});
     EXPECT_NE(near.code, 0);
     EXPECT_NE(near.err.find("TEGUMENT_LAMPS"), std::string::npos) << near.err;
+}
+
+TEST(Switches, of_the_page_are_those_that_info_lists) {
+    const auto page = tegument::readFile("docs/settings.md");
+    ASSERT_TRUE(page);
+    std::set<std::string> documented;
+    std::istringstream lines(*page);
+    const std::regex name("`(TEGUMENT_[A-Z_]+)`");
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t values = line.starts_with("| `TEGUMENT_") ? line.find(" | ") : std::string::npos;
+        if (values == std::string::npos || std::isdigit(static_cast<unsigned char>(line[values + 3])) == 0) continue;
+        const std::string names = line.substr(0, values);
+        for (std::sregex_iterator one(names.begin(), names.end(), name), end; one != end; ++one)
+            documented.insert((*one)[1]);
+    }
+    documented.erase("TEGUMENT_SETTING"); // which has names, and an option
+    std::set<std::string> listed = {"TEGUMENT_MAP_SIZE", "TEGUMENT_SHADOW_SIZE", "TEGUMENT_RIBBON_ROWS"};
+    documented.insert(listed.begin(), listed.end()); // texels
+    const auto info = tegument::test::tegument({"info", "Main", "--json"}).json();
+    for (const auto& one : info["switches"])
+        listed.insert(one["name"].get<std::string>());
+    EXPECT_EQ(listed, documented);
+    EXPECT_GT(info["switches"].size(), 20U);
+}
+
+TEST(Switches, of_a_workspace_draw_what_those_of_the_command_line_draw) {
+    const std::string ball = fs::path(ballMesh()).filename().string();
+    const auto scene = [&](const char* lamps) {
+        return write("lamps.json", fmt::format(R"({{"mesh": "{}", "head": false, "parameters": {{"TEGUMENT_LAMPS": {}}}}})", ball, lamps));
+    };
+    const std::string none = write("none.json", fmt::format(R"({{"mesh": "{}", "head": false}})", ball));
+    const std::string one = scene("1");
+    const Drawn by = draw("by_scene", {"Main", "-t", "Lambert", "-w", one});
+    const Drawn set = draw("by_set", {"Main", "-t", "Lambert", "-w", none, "--set", "TEGUMENT_LAMPS=1"});
+    const Drawn without = draw("without", {"Main", "-t", "Lambert", "-w", none});
+    const Drawn off = draw("off", {"Main", "-t", "Lambert", "-w", one, "--set", "TEGUMENT_LAMPS=0"});
+    const Drawn defined = draw("defined", {"Main", "-t", "Lambert", "-w", one, "-D", "TEGUMENT_LAMPS=0"});
+    ASSERT_EQ(by.ran.code + set.ran.code + without.ran.code + off.ran.code + defined.ran.code, 0) << by.ran.err << off.ran.err;
+    EXPECT_EQ(by.ran.err.find("TG8018"), std::string::npos) << by.ran.err;
+    EXPECT_EQ(by.image.pixels, set.image.pixels);
+    EXPECT_NE(by.image.pixels, without.image.pixels);
+    EXPECT_EQ(off.image.pixels, without.image.pixels) << "the command line wins";
+    EXPECT_EQ(defined.image.pixels, without.image.pixels);
+    expectSaid(tegument::test::tegument({"render", "Main", "-w", scene("9"), "-o", out("x.png")}), kInput, {"TG8019", "0..7"});
+    const std::string near =
+        write("near.json", fmt::format(R"({{"mesh": "{}", "head": false, "parameters": {{"TEGUMENT_LAMP": 1}}}})", ball));
+    EXPECT_NE(draw("near", {"Main", "-t", "Lambert", "-w", near}).ran.err.find("did you mean 'TEGUMENT_LAMPS'"), std::string::npos);
+    const std::string object = write(
+        "object.json", fmt::format(R"({{"objects": [{{"mesh": "{}", "head": false, "parameters": {{"TEGUMENT_LAMPS": 1}}}}]}})", ball));
+    expectSaid(tegument::test::tegument({"render", "Main", "-w", object, "-o", out("x.png")}), kInput, {"TG8019", "whole scene"});
+}
+
+TEST(Switches, of_ours_do_nothing_in_effects_of_others_which_is_said) {
+    const std::string effect = write("plain.fx", R"(float4x4 gAll : WORLDVIEWPROJECTION;
+        float4 VS(float4 p : POSITION) : SV_Position { return mul(p, gAll); }
+        float4 PS() : SV_Target { return 1; }
+        technique T { pass P { VertexShader = compile vs_5_0 VS(); PixelShader = compile ps_5_0 PS(); } })");
+    const Drawn drawn = draw("plain", {effect, "--mesh", ballMesh(), "--set", "TEGUMENT_LAMPS=1"});
+    ASSERT_EQ(drawn.ran.code, 0) << drawn.ran.err;
+    EXPECT_NE(drawn.ran.err.find("TG8029"), std::string::npos) << drawn.ran.err;
+}
+
+TEST(Scenes, say_technique_setting_size_and_samples) {
+    const std::string ball = fs::path(ballMesh()).filename().string();
+    const std::string scene = write("whole.json", fmt::format(R"({{"mesh": "{}", "head": false, "technique": "Gosselin", "setting": "seed",
+        "size": [96, 64], "samples": 1, "parameters": {{"TEGUMENT_MAP_SIZE": 128}}}})",
+                                                              ball));
+    const Ran ran = tegument::test::tegument({"render", "Main", "-w", scene, "-o", out("whole.exr"), "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto json = ran.json();
+    EXPECT_EQ(json["technique"], "Gosselin");
+    EXPECT_EQ(json["setting"], "seed");
+    EXPECT_EQ(json["resolution"], (nlohmann::json{96, 64}));
+    EXPECT_EQ(json["samples"], 1);
+    EXPECT_EQ(json["map_size"], 128);
+    const Ran line = tegument::test::tegument({"render", "Main", "-w", scene, "-t", "Lambert", "--setting", "corrected", "--size", "32",
+                                               "--samples", "4", "--map-size", "64", "-o", out("line.exr"), "--json"});
+    ASSERT_EQ(line.code, 0) << line.err;
+    EXPECT_EQ(line.json()["technique"], "Lambert");
+    EXPECT_EQ(line.json()["setting"], "corrected");
+    EXPECT_EQ(line.json()["resolution"], (nlohmann::json{32, 32}));
+    EXPECT_EQ(line.json()["samples"], 4);
+    EXPECT_EQ(line.json()["map_size"], 64);
+    const Ran other = tegument::test::tegument({"render", "Specular", "-w", scene, "-o", out("other.exr"), "--json"});
+    ASSERT_EQ(other.code, 0) << other.err;
+    EXPECT_NE(other.json()["technique"], "Gosselin");
+    EXPECT_NE(other.err.find("has no technique 'Gosselin'"), std::string::npos) << other.err;
 }

@@ -61,7 +61,7 @@ std::string sceneLines(const run::SceneView& scene) {
 std::string targetLines(const run::Prepared& prepared) {
     std::string lines;
     for (const auto& [name, target] : prepared.targets) {
-        if (name == run::kPicture || name == run::kPictureDepth) continue;
+        if (name == kPicture || name == kPictureDepth) continue;
         lines += fmt::format("target {} {} {} {} {} {}\n", name, gpu::isDepth(target.format) ? "depth" : "color", target.extent.width,
                              target.extent.height, run::d3dName(target.format), target.mips);
     }
@@ -124,7 +124,7 @@ std::string scriptOf(const Annotations& annotations) {
 run::Extent computeExtent(const run::Prepared& prepared, const Pass& pass) {
     const auto viewport = pass.annotations.string("Viewport");
     const std::string name = viewport ? *viewport : pass.annotations.string("Threads").value_or("");
-    const auto found = prepared.targets.find(name.empty() ? run::kPicture : name);
+    const auto found = prepared.targets.find(name.empty() ? kPicture : name);
     return found == prepared.targets.end() ? run::Extent{} : found->second.extent;
 }
 

@@ -97,6 +97,12 @@ TEST_F(Completing, sampling_a_bound_target_is_an_error_that_names_pass_and_textu
     EXPECT_EQ(completed.error().diagnostics.front().text, "pass P samples gSmall while drawing into it");
 }
 
+TEST_F(Completing, one_target_in_two_places_is_an_error) {
+    draw({"gSmall", "gSmall"});
+    AddedTargets added;
+    EXPECT_EQ(test::code(completePlan(plan_, uses_, shapes_, kGrey, warnings_, &added)), 4024) << "for other hosts, too";
+}
+
 TEST_F(Completing, for_other_hosts_a_sampled_target_that_is_bound_is_copied_first) {
     uses_[&pass_].sampled = {"gSmall", "gOther"};
     draw({"gSmall"});

@@ -98,6 +98,7 @@ TEST_P(ComputeRun, passes_are_reported_in_order_and_frames_are_alike) {
 
 TEST_P(ComputeRun, a_texture_is_not_read_and_written_in_one_pass) {
     EXPECT_EQ(code(draw(picture("Feedback"))), 4024);
+    EXPECT_EQ(code(draw(picture("Twice"))), 4024) << "nor written by two names";
 }
 
 TEST_P(ComputeRun, what_is_written_belongs_to_a_target) {

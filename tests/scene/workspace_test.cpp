@@ -39,7 +39,9 @@ TEST_F(Workspaces, every_key_arrives_in_its_field) {
       "light": { "frame": "world", "position": [7, 8, 9], "color": [1, 0.5, 0] },
       "background": [0.1, 0.2, 0.3],
       "textures": { "gColorMap": "color.png" },
-      "parameters": { "gMix": 0.5, "gTint": [1, 2, 3], "gUsePrePass": true }
+      "parameters": { "gMix": 0.5, "gTint": [1, 2, 3], "gUsePrePass": true },
+      "technique": "A", "setting": "draft", "size": [640, 480], "samples": 2, "bind": { "gMatrix": "WORLD", "comment": 1 },
+      "pose": "bent.obj", "pose_before": "straight.obj"
     })");
     ASSERT_TRUE(w) << format(w.error());
     EXPECT_EQ(w->file, folder_ / "w.json");
@@ -55,6 +57,10 @@ TEST_F(Workspaces, every_key_arrives_in_its_field) {
     EXPECT_EQ(w->camera.horizontalFov, 30);
     EXPECT_EQ(w->camera.nearPlane, 10);
     EXPECT_EQ(w->camera.farPlane, 1000);
+    EXPECT_EQ(w->technique + w->setting + w->pose + w->poseBefore, "Adraftbent.objstraight.obj");
+    EXPECT_EQ(w->size, std::pair(640, 480));
+    EXPECT_EQ(w->samples, 2);
+    EXPECT_EQ(w->binds, (std::map<std::string, std::string>{{"gMatrix", "WORLD"}}));
     EXPECT_FALSE(w->lightRelative);
     EXPECT_EQ(w->light.position, glm::vec3(7, 8, 9));
     EXPECT_EQ(w->light.color, glm::vec3(1, 0.5f, 0));
@@ -97,6 +103,13 @@ TEST_F(Workspaces, faults_are_found_at_the_key) {
     EXPECT_EQ(faultOf("{\"light\": {\"color\": [1, 1, true]}}"), "5402(1,28)");
     EXPECT_EQ(faultOf("{\"light\": {\"color\": [\"red\", 1, 1]}}"), "5402(1,22)");
     EXPECT_EQ(faultOf("{\"unit_mm\": 0}"), "5403(1,2)");
+    EXPECT_EQ(faultOf("{\"size\": 640}"), "5402(1,2)");
+    EXPECT_EQ(faultOf("{\"size\": [640]}"), "5402(1,2)");
+    EXPECT_EQ(faultOf("{\"size\": [640, 0]}"), "5403(1,16)");
+    EXPECT_EQ(faultOf("{\"samples\": 3}"), "5403(1,2)");
+    EXPECT_EQ(faultOf("{\"samples\": 16}"), "5403(1,2)");
+    EXPECT_EQ(faultOf("{\"bind\": {\"gMatrix\": 1}}"), "5402(1,11)");
+    EXPECT_EQ(faultOf("{\"technique\": 1}"), "5402(1,2)");
     EXPECT_EQ(faultOf("{\"unit_mm\": \"49\"}"), "5402(1,2)");
     EXPECT_EQ(faultOf("{\"light\": [1, 2, 3]}"), "5402(1,2)");
     EXPECT_EQ(faultOf("{\"parameters\": {\"gMix\": \"half\"}}"), "5402(1,17)");

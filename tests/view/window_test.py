@@ -328,6 +328,60 @@ class Window(unittest.TestCase):
         self.assertNotIn("validation:", self.view.said())
 
 
+class RoundTrip(unittest.TestCase):
+    """What the window writes is shown by a window, and drawn by `render`, as it was: every control was moved."""
+
+    SWITCHES = {"TEGUMENT_SURROUNDINGS": 1, "TEGUMENT_LAMPS": 2, "TEGUMENT_LOBES": 1}
+
+    def moved(self, view):
+        screen = view.screen
+        view.title("Main.fx DEonLuebke [corrected] picture")
+        screen.press("i")
+        last = view.still()
+        view.turn_to("Lambert", "t")
+        view.turn_to("DEonLuebke", "t")
+        screen.press("m")
+        view.title("[seed] picture")
+        for name, change in (("camera", lambda: screen.drag((160, 160), (220, 140))), ("near", lambda: screen.wheel(up=True)),
+                             ("aside", lambda: screen.drag((160, 160), (170, 165), held=("Shift_L",))),
+                             ("light", lambda: screen.drag((160, 160), (110, 190), button=3)),
+                             ("surroundings", lambda: screen.drag((160, 160), (260, 160), button=3, held=("Shift_L",))),
+                             ("preset", lambda: screen.press("n"))):
+            change()
+            last = keep(view.still(unlike=last), f"round_{name}")
+        return last
+
+    def test_of_every_control_changes_nothing(self):
+        sets = [word for name, value in self.SWITCHES.items() for word in ("--set", f"{name}={value}")]
+        first = View(("effects/Main.fx", "-w", "ball.json", "--map-size", "64", *sets, "--set", "gSurroundings=3"))
+        path = first.folder / "out" / "Main-001.json"
+        second = None
+        try:
+            shown = self.moved(first)
+            first.screen.press("w")
+            first.wait("the workspace", lambda: path.exists() and path.read_text().endswith("}\n"))
+            scene = json.loads(path.read_text())
+            self.assertEqual({name: scene["parameters"][name] for name in self.SWITCHES}, self.SWITCHES)
+            self.assertEqual([scene["technique"], scene["setting"], scene["size"]], ["DEonLuebke", "seed", [SIZE, SIZE]])
+            second = View(("effects/Main.fx", "-w", str(path)))
+            second.title("Main.fx DEonLuebke [seed] picture")
+            second.screen.press("i")
+            again = keep(second.still(), "round_again")
+            self.assertEqual(again, shown)
+            picture = first.folder / "drawn.png"
+            ran = subprocess.run([PROGRAM, "render", "effects/Main.fx", "-w", str(path), "-o", str(picture)], cwd=first.folder, capture_output=True,
+                                 text=True, timeout=PATIENCE)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            drawn = screens.read_png(picture)
+            part = screens.Picture(SIZE, SIZE, b"".join(shown.pixels[y * shown.width * 3:(y * shown.width + SIZE) * 3] for y in range(SIZE)))
+            self.assertLess(drawn.share_apart(part, limit=2), 0.001)
+        finally:
+            for view in (first, second):
+                if view:
+                    view.end()
+                    shutil.rmtree(view.folder)
+
+
 class Leaving(unittest.TestCase):
     def test_the_program_ends_in_peace_while_an_edit_compiles_and_a_line_had_said_so(self):
         view = View()

@@ -50,6 +50,11 @@ protected:
         w.background = {0.1F, 0.2F, 0.3F};
         w.textures = {{"DIFFUSE", "skin.png"}};
         w.parameters = {{"gMix", {0.1}}, {"gTint", {1, 0.25, 1.0 / 3}}};
+        w.technique = "A";
+        w.setting = "draft";
+        w.size = {900, 600};
+        w.samples = 8;
+        w.binds = {{"gMatrix", "WORLD"}};
         return w;
     }
 
@@ -75,6 +80,11 @@ protected:
         EXPECT_EQ(a.flipV, b.flipV) << text_;
         EXPECT_EQ(a.head, b.head) << text_;
         EXPECT_EQ(a.attribution, b.attribution) << text_;
+        EXPECT_EQ(a.technique, b.technique) << text_;
+        EXPECT_EQ(a.setting, b.setting) << text_;
+        EXPECT_EQ(a.size, b.size) << text_;
+        EXPECT_EQ(a.samples, b.samples) << text_;
+        EXPECT_EQ(a.binds, b.binds) << text_;
     }
 
     std::string text_;
@@ -89,6 +99,15 @@ TEST_F(WrittenWorkspaces, read_back_as_they_were_to_the_last_bit) {
     EXPECT_EQ(fs::weakly_canonical(folder_ / "out" / read.meshPath), fs::weakly_canonical(folder_ / "scan.glb")) << text_;
     EXPECT_EQ(fs::weakly_canonical(folder_ / "out" / read.textures.at("DIFFUSE")), fs::weakly_canonical(folder_ / "skin.png")) << text_;
     EXPECT_NE(text_.find("[1, 2, 3]"), std::string::npos) << "lists of numbers stand on one line: " << text_;
+}
+
+TEST_F(WrittenWorkspaces, keep_poses) {
+    Workspace w = full();
+    w.pose = "bent.glb";
+    w.poseBefore = "straight.glb";
+    const Workspace read = again(w);
+    EXPECT_EQ(fs::weakly_canonical(folder_ / "out" / read.pose), fs::weakly_canonical(folder_ / "bent.glb")) << text_;
+    EXPECT_EQ(fs::weakly_canonical(folder_ / "out" / read.poseBefore), fs::weakly_canonical(folder_ / "straight.glb")) << text_;
 }
 
 TEST_F(WrittenWorkspaces, keep_frames_parallel_light_and_defaults) {

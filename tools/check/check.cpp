@@ -241,8 +241,7 @@ void addApart(const EntryPoint& vertex, const EntryPoint& pixel, std::string_vie
 }
 
 void addMissingPosition(const EntryPoint& vertex, TargetCheck& report) {
-    addError(report, 3206, vertex.at, fmt::format("{} writes no SV_Position: nothing will be drawn", vertex.name),
-             "write SV_Position in place of POSITION; Direct3D 9 takes it too");
+    report.diagnostics.push_back(writesNoPosition(vertex.name, vertex.at).diagnostics.front());
 }
 
 void leaveOut(TargetCheck& report, std::string reason) {

@@ -1,5 +1,5 @@
+#include "host/run/ahead.h"
 #include "host/run/geometry.h"
-#include "host/run/prepare.h"
 #include "host/spirv/compile.h"
 #include "host/spirv/reflect.h"
 #include "tools/check/work.h"
@@ -26,10 +26,10 @@ const Effect& drawnBy(const Work& work, Compiler compiler) {
     return compiler == Compiler::Dxc && work.drawn ? *work.drawn : work.effect();
 }
 
-/// Passes without a shader, of fixed function: host/adopt writes those that are drawn.
+/// A frame without a shader of the file's: host/adopt writes those of fixed function, and scripts may clear alone.
 bool drawnByUs(const Work& work, Compiler compiler) {
-    return compiler == Compiler::Dxc && work.report.entries.empty() && work.drawn &&
-           std::ranges::any_of(work.drawn->techniques, [](const Technique& technique) { return !technique.passes.empty(); });
+    const Effect& effect = drawnBy(work, compiler);
+    return work.report.entries.empty() && !effect.techniques.empty() && (&effect != &work.effect() || effect.ownDialect);
 }
 
 run::Stages compileAll(const Effect& effect, Compiler compiler) {
@@ -48,17 +48,19 @@ void addErrors(const Error& error, const Pass* pass, Severity most, TargetCheck&
     }
 }
 
-/// All that a frame of another host's effect needs, of the technique that is drawn; a plain mesh stands for the user's.
-void prepareFrame(const Effect& effect, Compiler compiler, const run::Programs& programs, TargetCheck& report) {
+/// All that a frame needs, of the technique that is drawn; a plain mesh stands for the user's.
+void prepareFrame(const Effect& effect, Compiler compiler, run::Programs programs, TargetCheck& report) {
     constexpr int kSide = 64;
+    constexpr int kNoValue = 4018;
+    constexpr int kNoTexture = 4030;
     const Mesh mesh = run::fullScreenQuad();
-    const Workspace workspace;
+    const SessionScene scene{.mesh = drawsMesh(effect, *effect.defaultTechnique()) ? &mesh : nullptr};
     const RunOptions options{.width = kSide, .height = kSide, .compiler = compiler};
-    const run::RunInput input{.effect = effect, .mesh = &mesh, .workspace = workspace, .options = options, .compiled = &programs};
-    auto prepared = run::prepare(input);
-    if (!prepared) return addErrors(prepared.error(), nullptr, Severity::Error, report);
-    if (const auto textures = run::prepareTextures(input, *prepared); !textures)
-        addErrors(textures.error(), nullptr, Severity::Error, report);
+    const auto prepared = run::prepareAhead(effect, scene, Workspace{}, options, {.programs = std::move(programs)});
+    if (prepared) return;
+    const int code = prepared.error().diagnostics.front().code;
+    if (effect.ownDialect && (code == kNoValue || code == kNoTexture)) return; // the user has them
+    addErrors(prepared.error(), nullptr, Severity::Error, report);
 }
 
 /// The compiler misses a name that stands in the arguments of `written`, the pass as the file has it: the file's own fault in any
@@ -76,20 +78,14 @@ bool isOfArguments(const Error& error, const Pass& written) {
     return false;
 }
 
-/// How much the error of a pass counts. Of another host's effect the technique that is drawn decides, and prepareFrame has its errors. Of
-/// our own, which engines with other vertex streams and targets load, too, this host's limits refuse the technique that is drawn here, but
-/// for those of the vertex stream.
-Severity severityOf(const Error& error, const Effect& effect, bool shown, const Pass* written) {
-    if (effect.adopted) return written != nullptr && isOfArguments(error, *written) ? Severity::Error : Severity::Warning;
+/// Each pass as it would be drawn. What a frame of the technique that is drawn meets, prepareFrame has; of others this host's limits are
+/// warnings, and of another host's effect all that is not the file's own fault. Engines with other vertex streams load our own, too.
+void makePasses(const Work& work, const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
     constexpr int kRunning = 4000;
     constexpr int kStream = 4042;
-    const int code = error.diagnostics.front().code;
-    return code < kRunning || (shown && code != kStream) ? Severity::Error : Severity::Warning;
-}
-
-/// Each pass as it would be drawn.
-void makePasses(const Work& work, const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
     const Technique* shown = effect.defaultTechnique();
+    const bool foreign = &effect != &work.effect();
+    bool complete = shown != nullptr && (foreign || effect.ownDialect);
     run::Programs programs;
     for (std::size_t t = 0; t < effect.techniques.size(); ++t)
         for (std::size_t p = 0; p < effect.techniques[t].passes.size(); ++p) {
@@ -99,20 +95,18 @@ void makePasses(const Work& work, const Effect& effect, Compiler compiler, const
                 t < work.effect().techniques.size() ? &work.effect().techniques[t].passes[p] : nullptr; // host/adopt adds one
             if (needsOtherStages(pass)) continue;
             auto made = run::compilePass(effect, pass, compiler, stages);
-            if (made)
+            if (made) {
                 programs.emplace(&pass, std::make_shared<const run::PassProgram>(std::move(*made)));
-            else if (!effect.adopted || !drawn)
-                addErrors(made.error(), &pass, severityOf(made.error(), effect, drawn, written), report);
+                continue;
+            }
+            const int code = made.error().diagnostics.front().code;
+            const bool limit = code >= kRunning && code != kStream;
+            const bool fault = foreign ? written != nullptr && isOfArguments(made.error(), *written) : code < kRunning || (drawn && limit);
+            if (drawn && complete && (foreign || limit)) continue; // the frame says it
+            addErrors(made.error(), &pass, fault ? Severity::Error : Severity::Warning, report);
+            complete = complete && !drawn;
         }
-    if (effect.adopted) prepareFrame(effect, compiler, programs, report);
-}
-
-/// `: POSITION` compiles to an ordinary varying without a word.
-void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
-    for (const StagePair& pair : work.pairs) {
-        const EntryPoint& vertex = work.report.entries[pair.vertex];
-        if (const auto& shader = vertex.*slot; shader && !spirv::writesPosition(shader->spirv)) addMissingPosition(vertex, report);
-    }
+    if (complete) prepareFrame(effect, compiler, std::move(programs), report);
 }
 
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
@@ -139,7 +133,6 @@ void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) 
         auto plain = run::compileStage(work.effect(), key, compiler); // as it is, to be written out: another source is drawn
         if (plain) entry.*slot = std::move(*plain);
     }
-    checkPositions(work, slot, report);
     report.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -2,6 +2,7 @@
 
 #include "host/mesh/read_mesh.h"
 #include "host/support/text.h"
+#include "meshprep/assets/given_values.h"
 #include "meshprep/assets/picture.h"
 
 #include <fmt/format.h>
@@ -47,6 +48,22 @@ std::size_t fit(const Parameter& parameter, const std::string& stem) {
     return best;
 }
 
+bool isSwitch(const std::string& set) {
+    return assets::findSwitch(set.substr(0, set.find('='))) != nullptr;
+}
+
+/// What the dropped workspace says of its picture, the command line says no longer.
+void giveWay(JobOptions& options, const fs::path& file) {
+    const auto workspace = loadWorkspace(file, {.requireMesh = false});
+    if (!workspace) return; // loadJob() says why
+    if (!workspace->technique.empty()) options.technique.clear();
+    if (!workspace->setting.empty()) options.effect.setting.clear();
+    if (workspace->size) options.size.clear();
+    if (workspace->samples > 0) options.samples = 0;
+    std::erase_if(options.sets,
+                  [&](const std::string& set) { return isSwitch(set) && workspace->parameters.contains(set.substr(0, set.find('='))); });
+}
+
 Result<std::string> parameterFor(const fs::path& file, const Effect& effect) {
     const Parameter* best = nullptr;
     std::size_t bestFit = 0;
@@ -89,7 +106,7 @@ Result<JobOptions> withDropped(JobOptions options, const fs::path& file, const E
         options.file = file.string();
         options.technique.clear();
         options.preset.clear();
-        options.sets.clear();
+        std::erase_if(options.sets, [](const std::string& set) { return !isSwitch(set); }); // which are of all effects of ours
         options.effect.setting.clear();
         break;
     case Dropped::Mesh:
@@ -101,6 +118,7 @@ Result<JobOptions> withDropped(JobOptions options, const fs::path& file, const E
         options.scene.workspace = file.string();
         options.scene.mesh.clear();
         options.scene.unitMm.reset();
+        giveWay(options, file);
         break;
     case Dropped::Texture: {
         const auto name = parameterFor(file, shown);

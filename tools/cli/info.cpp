@@ -41,9 +41,8 @@ Json passJson(const Pass& pass) {
     return json;
 }
 
-/// Of an effect of ours; another's macros are not known.
 std::vector<assets::Switch> switchesOf(const Effect& effect) {
-    return effect.settings && effect.settings->define == "TEGUMENT_SETTING" ? assets::switches() : std::vector<assets::Switch>();
+    return assets::takesSwitches(effect) ? assets::switches() : std::vector<assets::Switch>();
 }
 
 Json effectJson(const Effect& effect) {
@@ -62,7 +61,7 @@ Json effectJson(const Effect& effect) {
             : Json(nullptr);
     json["switches"] = Json::array();
     for (const assets::Switch& one : switchesOf(effect))
-        json["switches"].push_back({{"name", one.name}, {"most", one.most}, {"help", one.meaning}});
+        json["switches"].push_back({{"name", one.name}, {"least", one.least}, {"most", one.most}, {"help", one.meaning}});
     const auto& global = effect.standardsGlobal;
     json["script"] = global ? Json(global->annotations.string("Script").value_or("")) : Json(nullptr);
     return json;
@@ -265,8 +264,8 @@ void printEffect(const Effect& effect, bool all) {
     printRows("textures (--set NAME=FILE)", textures);
     std::vector<std::vector<std::string>> switched;
     for (const assets::Switch& one : switchesOf(effect))
-        switched.push_back({one.name, fmt::format("0..{}", one.most), one.meaning});
-    printRows("switches (--set NAME=VALUE): range, what they do", switched);
+        switched.push_back({one.name, one.range(), one.meaning});
+    printRows("switches (--set NAME=VALUE, or a workspace's parameters): range, what they do", switched);
     if (all) printRows("internal parameters: type, semantic, default", internals);
     if (all) printRows("targets: size, format", targets);
     for (const Technique& technique : effect.techniques)

@@ -50,7 +50,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
         command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
     repeatable(command.add_option("--bind", options.binds,
                                   "NAME=RULE: what a parameter of a foreign effect gets, such as WORLDVIEWPROJECTION; may be repeated"));
-    command.add_option("--size", options.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square")->capture_default_str();
+    command.add_option("--size", options.size,
+                       fmt::format("Picture size in pixels: WIDTHxHEIGHT, or one number for a square; default: the workspace's, else {}",
+                                   options.usualSize));
     command
         .add_option("--samples", options.samples,
                     "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "

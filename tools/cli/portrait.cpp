@@ -132,6 +132,9 @@ void addPortrait(CLI::App& program, Action& action) {
     command->add_flag_function(
         "--flip-v", [options](std::int64_t flipped) { options->hints.flipV = flipped > 0; },
         "The file's v runs against its format's convention; =false: it does not; default: by lips and eyes in the colour map");
+    command->add_flag_function(
+        "--mirror", [options](std::int64_t mirrored) { options->hints.mirror = mirrored > 0; },
+        "The file is mirrored: left and right change; =false: it is not; default: where its surface is inside out");
     command->add_option("--turn", options->job.scene.turn, "Degrees by which the head is turned, counter-clockwise seen from above");
     command->add_option("-p,--preset", options->job.preset, "Named values of parameters, such as oily: tegument info Pyramid");
     repeatable(

@@ -108,7 +108,7 @@ void addEnvironment(CLI::App& command, Action& action) {
     environment->add_option("-o,--output", arguments->output, "DDS to write")->capture_default_str();
     environment->add_flag("--json", arguments->json, "Print JSON, with nine coefficients of spherical harmonics");
     addExamples(*environment, {{"prep environment hall.hdr -o hall.dds",
-                                "then: tegument render Pyramid -D TEGUMENT_SURROUNDINGS --set gEnvironmentMap=hall.dds"},
+                                "then: tegument render Pyramid --set TEGUMENT_SURROUNDINGS=1 --set gEnvironmentMap=hall.dds"},
                                {"prep environment --sky -o sky.dds", ""}});
     environment->callback([arguments, &action] { action = [arguments] { return prepEnvironment(*arguments); }; });
 }

@@ -191,7 +191,7 @@ Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device&
     if (!result.warnings.empty()) json["warnings"] = toJson(result.warnings);
     for (const ParameterBinding& binding : job.bindings)
         json["bindings"].push_back({{"parameter", binding.parameter}, {"got", binding.source}, {"by", binding.rule}});
-    if (job.effect.adopted)
+    if (job.effect.displayColours)
         if (const auto plain = plainPictureNote(result.image, job.effect.file.string())) json["picture"] = plain->text;
     if (options.job.validate) json["validation_messages"] = device.validationMessages();
     return json;
@@ -305,7 +305,7 @@ int render(const RenderOptions& given) {
     if (!job) return fail(job.error(), options.json);
     if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
     if (options.frames > 1 && options.job.samples == 0) job->run.samples = 1; // what is measured, as bench does
-    options.pictures.displayReferred = job->effect.adopted;
+    options.pictures.displayReferred = job->effect.displayColours;
     job->run.frames = options.frames;
     job->run.warmUpFrames = options.frames > 1 ? 2 : 0;
     job->run.dump = options.dump;
@@ -327,7 +327,7 @@ int render(const RenderOptions& given) {
     if (!result) return fail(result.error(), options.json);
     std::ranges::move(unreadValues(options.job.sets, job->effect, *result), std::back_inserter(result->warnings));
     warn(result->warnings);
-    if (job->effect.adopted)
+    if (job->effect.displayColours)
         if (const auto plain = plainPictureNote(result->image, job->effect.file.string())) warn({*plain});
     const auto files = writePictures(options.pictures, *output, *result);
     if (!files) return fail(files.error(), options.json);

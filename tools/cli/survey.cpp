@@ -122,7 +122,7 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
     if (!result) return refused(result.error());
     row.drawn = pictureOf(result->image);
     if (options.pictures.empty()) return;
-    const PictureOptions pictures{.displayReferred = job->effect.adopted};
+    const PictureOptions pictures{.displayReferred = job->effect.displayColours};
     std::string name = fs::relative(file, options.folder).replace_extension(".png").string();
     std::ranges::replace(name, '/', '.');
     if (const auto written = writePicture(pictures, fs::path(options.pictures) / name, result->image); !written)

@@ -2,6 +2,7 @@
 
 #include "host/adopt/code.h"
 #include "host/adopt/kinds.h"
+#include "meshprep/assets/given_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -52,6 +53,9 @@ std::vector<Diagnostic> unreadValues(const std::vector<std::string>& sets, const
     for (const std::string& set : sets) {
         const std::string name = set.substr(0, set.find('='));
         const Parameter* parameter = effect.findParameter(name);
+        if (assets::findSwitch(name) && !assets::takesSwitches(effect))
+            warnings.push_back(inputWarning(
+                8029, {}, fmt::format("--set {} changes nothing: {} has none of these switches", set, effect.file.filename().string())));
         if (!parameter || wasRead(*parameter, drawn)) continue;
         std::vector<std::string> others;
         for (const Technique& technique : effect.techniques)

@@ -147,6 +147,8 @@ std::vector<std::string> renderArguments(const JobOptions& options) {
         words.insert(words.end(), {"-I", folder});
     if (options.effect.anywhere) words.emplace_back("--anywhere");
     if (options.effect.mapSize > 0) words.insert(words.end(), {"--map-size", std::to_string(options.effect.mapSize)});
+    if (options.effect.shadowSize > 0) words.insert(words.end(), {"--shadow-size", std::to_string(options.effect.shadowSize)});
+    if (options.picture != JobOptions().picture) words.insert(words.end(), {"--picture", options.picture});
     if (options.samples > 0) words.insert(words.end(), {"--samples", std::to_string(options.samples)});
     if (!options.compiler.empty()) words.insert(words.end(), {"--compiler", options.compiler});
     if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});
@@ -184,7 +186,7 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
         done < total ? progress.count("compiling shader", done, total) : progress.clear();
     };
     return {.effect = job->effect.file,
-            .load = assets::loadOptions(options.job.effect),
+            .load = job->load,
             .binds = rules ? *rules : std::map<std::string, std::string>(),
             .scene = assets::sessionScene(job->scene),
             .workspace = job->scene.workspace,
@@ -269,7 +271,7 @@ int runView(const ViewOptions& options) {
 
 void addView(CLI::App& program, Action& action) {
     auto options = std::make_shared<ViewOptions>();
-    options->job.size = "900x900";
+    options->job.usualSize = "900x900";
     CLI::App* command = program.add_subcommand("view", "Show an effect in a window, and again whenever its source changes");
     addJobOptions(*command, options->job);
     command->add_option("-o,--output", options->pictures, "Folder for the pictures and workspaces that the keys s, w and c write")

@@ -28,7 +28,7 @@ constexpr double kTextShare = 0.5; // of the window, where the effect's text sta
 constexpr int kMostFailures = 5;
 constexpr double kWidestFov = 170; // degrees, as in workspaces
 constexpr int kDeviceLost = 6007;
-constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with -D TEGUMENT_SURROUNDINGS";
+constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with --set TEGUMENT_SURROUNDINGS=1";
 constexpr std::uint32_t kUnknownBands = 8; // of a pass that was not drawn yet
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
@@ -349,7 +349,7 @@ Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) 
         fmt::format("{} {} {} {} {}", static_cast<int>(state_.show), state_.pass, name, state_.technique, state_.setting);
     if (what == levelled_) return {};
     levelled_ = what;
-    const bool radiance = !loaded_->effect.adopted; // colours of other hosts' effects are a display's
+    const bool radiance = !loaded_->effect.displayColours;
     levels_ = {.toneMap = radiance, .encode = radiance};
     if (name.empty() && !gpu::isDepth(texture.desc().format)) return {};
     const auto image = run::readBack(device_, texture);

@@ -57,6 +57,11 @@ void Viewer::save() {
 std::optional<fs::path> Viewer::saveWorkspace() {
     Workspace workspace = seen(state_.workspace);
     settle(workspace, state_.parameters, request_.run.textures);
+    workspace.technique = state_.technique;
+    workspace.setting = state_.setting;
+    workspace.size = {static_cast<int>(size_.width), static_cast<int>(size_.height)};
+    workspace.samples = request_.run.samplesAreAsked ? request_.run.samples : 0;
+    workspace.binds = state_.binds;
     const bool known = !workspaceFile_.empty() && workspaceJson(workspace, workspaceFile_) == workspaceText_;
     if (known) return workspaceFile_;
     const fs::path path = freePath(request_.pictures, request_.effect, ".json");

@@ -74,7 +74,7 @@ Result<PanelPictures> Viewer::panelPictures() {
     for (const std::string& name : inOrderOfFlow(frame_)) {
         const gpu::Texture* target = session().target(name);
         if (!target) continue; // of a part of the frame
-        auto small = targets_.thumbnail(device_, *canvas_, session(), name, !loaded_->effect.adopted);
+        auto small = targets_.thumbnail(device_, *canvas_, session(), name, !loaded_->effect.displayColours);
         if (!small) return small.error();
         pictures.thumbnails.push_back(
             {.name = name,

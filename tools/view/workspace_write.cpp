@@ -54,10 +54,25 @@ public:
         json["light"] = light();
         json["background"] = vector(workspace_.background);
         addValues(json, workspace_.textures, workspace_.parameters);
+        addPicture(json);
         return json;
     }
 
 private:
+    /// How it is drawn.
+    void addPicture(Json& json) const {
+        const auto add = [&](const char* key, const std::string& text) {
+            if (!text.empty()) json[key] = text;
+        };
+        add("technique", workspace_.technique);
+        add("setting", workspace_.setting);
+        if (workspace_.size) json["size"] = {workspace_.size->first, workspace_.size->second};
+        if (workspace_.samples > 0) json["samples"] = workspace_.samples;
+        if (!workspace_.binds.empty()) json["bind"] = workspace_.binds;
+        if (!workspace_.pose.empty()) json["pose"] = file(workspace_.pose);
+        if (!workspace_.poseBefore.empty()) json["pose_before"] = file(workspace_.poseBefore);
+    }
+
     void addSource(Json& json, const MeshSource& source) const {
         if (!source.meshPath.empty()) json["mesh"] = file(source.meshPath);
         if (source.unitMm) json["unit_mm"] = number(*source.unitMm);

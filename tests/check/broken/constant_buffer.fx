@@ -1,4 +1,5 @@
-// A constant buffer that Direct3D packs more tightly than SPIR-V: gC lies behind gB[1] there, in a register of its own here.
+// A constant buffer that Direct3D packs more tightly than SPIR-V: gC lies behind gB[1] there, in a register of its own here;
+// glslang 15 packs it as Direct3D does, which the validator refuses.
 #include "../../../hlsl/platform.fxh"
 cbuffer Scene
 {
@@ -15,7 +16,7 @@ technique T
     pass P
     {
         VertexShader = compile TG_VS_MODEL VS();
-        PixelShader = compile TG_PS_MODEL PS(); //~ sm5 TG3204
+        PixelShader = compile TG_PS_MODEL PS(); //~ sm5 TG3204, may spirv-glslang TG3003
         TG_STATE_BUFFER;
     }
 }

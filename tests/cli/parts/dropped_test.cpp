@@ -129,17 +129,34 @@ TEST(Dropped, a_workspace_brings_its_own_mesh) {
     EXPECT_EQ(next.scene.mesh, "");
 }
 
+TEST(Dropped, a_workspace_is_drawn_as_it_says) {
+    const Links files; // a folder
+    const std::string file = (files.folder / "mine.json").string();
+    ASSERT_TRUE(writeFile(file, R"({"technique": "Lambert", "size": [40, 30], "samples": 2, "parameters": {"TEGUMENT_LAMPS": 2}})"));
+    JobOptions options;
+    options.technique = "Gosselin";
+    options.effect.setting = "seed";
+    options.size = "900x900";
+    options.samples = 4;
+    options.sets = {"TEGUMENT_LAMPS=1", "TEGUMENT_LOBES=1", "gRoughness=0.5"};
+    const JobOptions next = after(options, file);
+    EXPECT_EQ(next.technique + next.size, "");
+    EXPECT_EQ(next.samples, 0);
+    EXPECT_EQ(next.effect.setting, "seed") << "it says none";
+    EXPECT_EQ(next.sets, (std::vector<std::string>{"TEGUMENT_LOBES=1", "gRoughness=0.5"}));
+}
+
 TEST(Dropped, an_effect_keeps_the_scene_and_no_values_of_the_other) {
     JobOptions options;
     options.file = "Main";
     options.technique = "Gosselin";
     options.preset = "oily";
-    options.sets = {"gRoughness=0.5"};
+    options.sets = {"gRoughness=0.5", "TEGUMENT_LAMPS=1"};
     options.scene.mesh = "scan.ply";
     const JobOptions next = after(options, "Mine.fx");
     EXPECT_EQ(next.file, "Mine.fx");
     EXPECT_EQ(next.technique + next.preset, "");
-    EXPECT_TRUE(next.sets.empty());
+    EXPECT_EQ(next.sets, std::vector<std::string>{"TEGUMENT_LAMPS=1"}) << "a switch of all";
     EXPECT_EQ(next.scene.mesh, "scan.ply");
 }
 

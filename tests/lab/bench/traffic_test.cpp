@@ -20,7 +20,7 @@ constexpr std::uint64_t kTexels = 32 * 16; // of gWideMap
 constexpr std::uint64_t kHalves = 8;       // bytes
 constexpr std::uint64_t kFloats = 16;
 constexpr std::uint64_t kSmall = 4 * 4;
-constexpr int kPicture = 64;
+constexpr int kPixelsAcross = 64;
 
 class FrameTraffic : public test::WithDevice, public testing::WithParamInterface<Compiler> {
 protected:
@@ -31,7 +31,7 @@ protected:
 
     std::vector<Traffic> count(const std::string& technique, double turns = 5) {
         const Scene scene{.name = "none", .workspace = {}, .mesh = {}};
-        const Contest contest{.scene = scene, .width = kPicture, .height = kPicture, .mapSize = 64, .compiler = GetParam()};
+        const Contest contest{.scene = scene, .width = kPixelsAcross, .height = kPixelsAcross, .mapSize = 64, .compiler = GetParam()};
         const Contender contender{.technique = technique,
                                   .setting = "corrected",
                                   .effect = "tests/lab/bench/fixtures/counts.fx",
@@ -125,7 +125,7 @@ TEST_P(FrameTraffic, no_more_is_read_of_a_texture_than_it_holds) {
 
 TEST_P(FrameTraffic, a_branch_that_is_not_taken_costs_no_look_up) {
     const Traffic branch = passOf(count("Counts"), "Branch");
-    constexpr std::uint64_t kPixels = kPicture * kPicture;
+    constexpr std::uint64_t kPixels = kPixelsAcross * kPixelsAcross;
     EXPECT_EQ(branch.calls, kPixels);
     EXPECT_EQ(branch.fetches, 2 * kPixels / 4);
     EXPECT_EQ(branch.read, kTexels * kHalves + kSmall * kFloats) << "both maps whole: each is looked up more often than it has texels";

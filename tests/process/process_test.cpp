@@ -80,6 +80,15 @@ TEST(Process, variables_replace_ours) {
     EXPECT_EQ(result->output, "theirs\n");
 }
 
+TEST(Process, a_variable_without_a_value_is_not_passed_on) {
+    ::setenv("TEGUMENT_PROCESS_TEST", "ours", 1);
+    const auto result =
+        runProcess({.arguments = {"sh", "-c", "echo ${TEGUMENT_PROCESS_TEST-unset}"}, .environment = {{"TEGUMENT_PROCESS_TEST", ""}}}, 20);
+    ::unsetenv("TEGUMENT_PROCESS_TEST");
+    ASSERT_TRUE(result) << format(result.error());
+    EXPECT_EQ(result->output, "unset\n");
+}
+
 TEST(Process, a_megabyte_of_output_is_not_cut) {
     const auto result = shell("head -c 1000000 /dev/zero | tr '\\0' x");
     ASSERT_TRUE(result) << format(result.error());

@@ -85,6 +85,7 @@ ProcessCommand wineCommand(std::vector<std::string> arguments, const std::string
                             // client that draws small pictures on two cores that was three quarters.
                             {"WINE_D3D_CONFIG", "csmt=0x0"},
                             {"LC_ALL", "C.UTF-8"},
+                            {"TMPDIR", ""}, // or Wine 10 (Debian 13) ends with "free(): invalid pointer", whatever its value
                             {"DISPLAY", display}}};
 }
 

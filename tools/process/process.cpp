@@ -48,7 +48,7 @@ std::vector<std::string> mergedEnvironment(const ProcessCommand& command) {
         if (std::ranges::none_of(command.environment, [&](const auto& own) { return own.first == name; })) merged.emplace_back(text);
     }
     for (const auto& [name, value] : command.environment)
-        merged.push_back(fmt::format("{}={}", name, value));
+        if (!value.empty()) merged.push_back(fmt::format("{}={}", name, value));
     return merged;
 }
 

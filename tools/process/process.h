@@ -15,7 +15,7 @@ namespace tegument {
 
 struct ProcessCommand {
     std::vector<std::string> arguments;                           // the first is the program: a path, or a name looked up in $PATH
-    std::vector<std::pair<std::string, std::string>> environment; // on top of our own
+    std::vector<std::pair<std::string, std::string>> environment; // in place of our own; without a value: not passed on
     bool errorsApart = false;                                     // keep what it says on stderr by itself
     std::size_t maxBytes = 0;                                     // of memory that it may write; 0: as much as it wants
 };

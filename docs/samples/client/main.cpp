@@ -22,6 +22,6 @@ int main(int count, char** words) {
     if (!device) return fail(device.error());
     const auto drawn = tegument::assets::draw(*device, *job);
     if (!drawn) return fail(drawn.error());
-    const auto written = tegument::assets::writePicture(picture, drawn->image, job->effect.adopted);
+    const auto written = tegument::assets::writePicture(picture, drawn->image, job->effect.displayColours);
     return written ? 0 : fail(written.error());
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tegument::test {
@@ -71,22 +72,15 @@ TEST(Process, arguments_reach_the_program_as_they_are) {
     EXPECT_EQ(result->output, "a b|$HOME|\"q\"||");
 }
 
-TEST(Process, variables_replace_ours) {
+TEST(Process, variables_replace_ours_and_one_without_a_value_is_not_passed_on) {
     ::setenv("TEGUMENT_PROCESS_TEST", "ours", 1);
-    const auto result =
-        runProcess({.arguments = {"sh", "-c", "echo $TEGUMENT_PROCESS_TEST"}, .environment = {{"TEGUMENT_PROCESS_TEST", "theirs"}}}, 20);
+    for (const auto& [value, said] : {std::pair("theirs", "theirs\n"), std::pair("", "unset\n")}) {
+        const auto result = runProcess(
+            {.arguments = {"sh", "-c", "echo ${TEGUMENT_PROCESS_TEST-unset}"}, .environment = {{"TEGUMENT_PROCESS_TEST", value}}}, 20);
+        ASSERT_TRUE(result) << format(result.error());
+        EXPECT_EQ(result->output, said);
+    }
     ::unsetenv("TEGUMENT_PROCESS_TEST");
-    ASSERT_TRUE(result) << format(result.error());
-    EXPECT_EQ(result->output, "theirs\n");
-}
-
-TEST(Process, a_variable_without_a_value_is_not_passed_on) {
-    ::setenv("TEGUMENT_PROCESS_TEST", "ours", 1);
-    const auto result =
-        runProcess({.arguments = {"sh", "-c", "echo ${TEGUMENT_PROCESS_TEST-unset}"}, .environment = {{"TEGUMENT_PROCESS_TEST", ""}}}, 20);
-    ::unsetenv("TEGUMENT_PROCESS_TEST");
-    ASSERT_TRUE(result) << format(result.error());
-    EXPECT_EQ(result->output, "unset\n");
 }
 
 TEST(Process, a_megabyte_of_output_is_not_cut) {

@@ -115,7 +115,7 @@ struct BenchArguments {
     int grid = 1;
     std::string referencePart; // empty: all of it, and the comparison
     std::string keepScenes;
-    std::string catalogue = "effects/catalogue.json";
+    std::string catalogue; // beside ours
     std::string compiler;
     std::string device;
     std::string json;
@@ -149,6 +149,10 @@ Defaults defaultsFor(const gpu::Device& device) {
     return device.info().cpu ? Defaults{"320x320", 1024, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
 }
 
+const char* shippedCatalogue(const BenchArguments& arguments) {
+    return arguments.fur ? "effects/fur_catalogue.json" : "effects/catalogue.json";
+}
+
 /// "full", or a number of pixels.
 Result<std::size_t> referencePixels(const std::string& text) {
     if (text == "full") return std::size_t{0};
@@ -179,7 +183,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
     if (!compiler) return compiler.error();
     const auto pixels = referencePixels(arguments.reference);
     if (!pixels) return pixels.error();
-    bench::BenchOptions options{.effects = assets::ownFile(arguments.catalogue).parent_path(),
+    bench::BenchOptions options{.effects = assets::ownFile(shippedCatalogue(arguments)).parent_path(),
                                 .sceneFolder = arguments.keepScenes,
                                 .scenes = arguments.scenes,
                                 .width = size->first,
@@ -213,9 +217,21 @@ void printRows(const std::vector<bench::Row>& rows, const bench::Machine& machin
                machine.cpu ? "; a software device: its times are good as ratios only" : "");
 }
 
-/// For each scene its own choice; the worst exit code.
-int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
-    bench::Limit limit;
+/// What is known of a row, for a choice: "PyramidCompute corrected, maps of 512: 3.100 ms (3.0 to 3.4), relative L2 .0120, .21 of no
+/// diffusion's".
+std::string figuresOf(const std::vector<bench::Row>& rows, std::size_t index) {
+    const bench::Row& row = rows[index];
+    const bench::Spread& time = row.drawn.milliseconds;
+    std::string text = fmt::format("{} {}, maps of {}: {:.3f} ms ({:.3f} to {:.3f}), relative L2 {:.4f}", row.contender.name(),
+                                   row.contender.setting, row.mapSize, time.median, time.p5, time.p95, row.errors.relativeL2);
+    if (const auto share = bench::shareOfNoDiffusion(rows, index)) text += fmt::format(", {:.2f} of no diffusion's", *share);
+    if (row.errors.flip) text += fmt::format(", FLIP {:.4f}", *row.errors.flip);
+    return text;
+}
+
+/// For each scene its own choice; the worst exit code. `asked`: what was named may be chosen, whatever it claims.
+int pickForEachScene(const BenchArguments& arguments, bool asked, const std::vector<bench::Row>& rows) {
+    bench::Limit limit{.error = {}, .milliseconds = {}, .withoutDiffusion = asked};
     if (arguments.maxError > 0) limit.error = arguments.maxError;
     if (arguments.maxMs > 0) limit.milliseconds = arguments.maxMs;
     int code = 0;
@@ -229,9 +245,10 @@ int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::R
             code = static_cast<int>(Blame::Input);
             continue;
         }
-        const bench::Row& row = ofScene[*chosen];
-        fmt::print("{}: {} {}, maps of {}: {:.3f} ms, relative L2 {:.4f}\n{}\n", row.scene, row.contender.name(), row.contender.setting,
-                   row.mapSize, row.drawn.milliseconds.median, row.errors.relativeL2, bench::renderCommand(row));
+        fmt::print("{}: {}\n", ofScene.front().scene, figuresOf(ofScene, chosen->row));
+        for (const std::size_t tie : chosen->ties)
+            fmt::print("  {} within the spread: {}\n", limit.error ? "as fast" : "may do as well", figuresOf(ofScene, tie));
+        fmt::print("{}\n", bench::renderCommand(ofScene[chosen->row]));
     }
     return code;
 }
@@ -257,7 +274,7 @@ Result<int> report(const BenchArguments& arguments, const std::vector<bench::Row
         if (const auto written = writeTo(arguments.json, bench::toJson(rows, machine)); !written) return written.error();
     if (!arguments.csv.empty())
         if (const auto written = writeTo(arguments.csv, bench::toCsv(rows, machine)); !written) return written.error();
-    return arguments.pick ? pickForEachScene(arguments, rows) : 0;
+    return arguments.pick ? pickForEachScene(arguments, !arguments.techniques.empty(), rows) : 0;
 }
 
 constexpr const char* kPlotScript = "lab/bench/plot.py";
@@ -410,7 +427,8 @@ Result<int> writeMarkdown(const std::string& file) {
 Result<int> stability(const BenchArguments& arguments) {
     const auto compiler = assets::chosenCompiler(arguments.compiler);
     if (!compiler) return compiler.error();
-    StabilityArguments chosen{.effects = assets::ownFile(arguments.catalogue).parent_path(),
+    const std::string catalogue = arguments.catalogue.empty() ? shippedCatalogue(arguments) : arguments.catalogue;
+    StabilityArguments chosen{.effects = assets::ownFile(catalogue).parent_path(),
                               .parts = arguments.parts,
                               .modules = arguments.modules,
                               .compiler = *compiler,
@@ -431,16 +449,37 @@ Result<void> checkFiles(const BenchArguments& arguments) {
     return {};
 }
 
+/// Ours and that of the command line: an entry of its name and setting takes the place of ours.
+Result<std::vector<bench::Contender>> wholeCatalogue(const BenchArguments& arguments) {
+    auto list = bench::loadCatalogue(assets::ownFile(shippedCatalogue(arguments)));
+    if (!list || arguments.catalogue.empty()) return list;
+    auto added = bench::loadCatalogue(arguments.catalogue);
+    if (!added) return added;
+    for (bench::Contender& one : *added) {
+        std::erase_if(*list, [&](const bench::Contender& ours) { return ours.name() == one.name() && ours.setting == one.setting; });
+        list->push_back(std::move(one));
+    }
+    return list;
+}
+
+/// A choice is told beside no diffusion, measured even where it may not be chosen.
+void addNoDiffusion(std::vector<bench::Contender>& contenders, const std::vector<bench::Contender>& catalogue) {
+    const auto has = [](const bench::Contender& one) { return one.claim == bench::Claim::Delta; };
+    if (std::ranges::any_of(contenders, has)) return;
+    if (const auto found = std::ranges::find_if(catalogue, has); found != catalogue.end()) contenders.push_back(*found);
+}
+
 Result<int> runChosen(const BenchArguments& arguments) {
     if (!arguments.markdown.empty()) return writeMarkdown(arguments.markdown);
     if (const auto fine = checkFiles(arguments); !fine) return fine.error();
     if (arguments.stability) return stability(arguments);
     if (arguments.pick && arguments.maxError <= 0 && arguments.maxMs <= 0)
         return usageError(8079, "--pick needs a limit", "add --max-error E or --max-ms T");
-    const auto catalogue = bench::loadCatalogue(assets::ownFile(arguments.catalogue));
+    const auto catalogue = wholeCatalogue(arguments);
     if (!catalogue) return catalogue.error();
-    const auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
+    auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
     if (!contenders) return contenders.error();
+    if (arguments.pick) addNoDiffusion(*contenders, *catalogue);
     for (const std::string& scene : arguments.scenes)
         if (const auto known = bench::checkSceneName(scene); !known) return known.error();
     auto work = workOf(arguments);
@@ -456,7 +495,6 @@ Result<int> runChosen(const BenchArguments& arguments) {
 int run(BenchArguments arguments) {
     if (arguments.fur) {
         if (arguments.scenes == std::vector<std::string>{"head"}) arguments.scenes = {"effects/workspaces/bunny_roots.json"};
-        if (arguments.catalogue == BenchArguments().catalogue) arguments.catalogue = "effects/fur_catalogue.json";
     }
     const auto result = runChosen(arguments);
     return result ? *result : fail(result.error(), arguments.json == "-");
@@ -479,7 +517,8 @@ CLI::Option* addPick(CLI::App& command, BenchArguments& arguments) {
 void addBench(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<BenchArguments>();
     CLI::App* command = program.add_subcommand("bench", "Time every technique and hold its picture against light by brute force");
-    command->add_option("--scene", arguments->scenes, "Names as in docs/bench.md (sphere-10, head@90+4px ...) or workspace files")
+    command
+        ->add_option("--scene", arguments->scenes, "Names as in docs/bench.md (sphere-10, head@90+4px ...), or workspaces as -w takes them")
         ->capture_default_str();
     command->add_option("-t,--technique", arguments->techniques, "Techniques of the catalogue; default: all");
     command->add_option("--setting", arguments->settings, "Settings of them; default: all");
@@ -505,7 +544,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--reference-part", arguments->referencePart,
                         "Only compute and keep a part of the reference, 3/16, and draw nothing (docs/bench.md)");
     command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");
-    command->add_option("--catalogue", arguments->catalogue, "What can be compared (docs/bench.md)")->capture_default_str();
+    command->add_option("--catalogue", arguments->catalogue, "More that can be compared, beside effects/catalogue.json (docs/bench.md)");
     command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")
         ->transform(oneOf({"dxc", "glslang"}));
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");

@@ -17,6 +17,17 @@ double milliseconds(const Row& row) {
     return row.drawn.milliseconds.median;
 }
 
+/// Whether a row's time is the fastest's but for their spread, or for what is no gain. Half the frames lie between the quartiles; where
+/// they are far apart the machine does something else besides, and medians still tell a quarter from nothing.
+bool isAsFast(const Row& row, const Row& fastest) {
+    constexpr double kNoGain = 0.05;
+    constexpr double kMost = 0.25;
+    const Spread& one = row.drawn.milliseconds;
+    const Spread& other = fastest.drawn.milliseconds;
+    const double spread = std::max({one.noise, other.noise, one.p75 - one.p25, other.p75 - other.p25});
+    return one.median - other.median <= std::clamp(spread, kNoGain * other.median, kMost * other.median);
+}
+
 std::string define(const std::string& name, const std::string& value) {
     for (std::size_t i = 0; i < kSettingNames.size(); ++i)
         if (name == kSettingSwitch && value == std::to_string(i)) return std::string(" --setting ") + kSettingNames.at(i);
@@ -40,14 +51,39 @@ std::vector<std::size_t> paretoFront(const std::vector<Row>& rows) {
     return front;
 }
 
-std::optional<std::size_t> pick(const std::vector<Row>& rows, const Limit& limit) {
-    const std::vector<std::size_t> front = paretoFront(rows); // faster to slower, the error falls
-    std::optional<std::size_t> chosen;
-    for (const std::size_t i : front) {
-        if (limit.error && rows[i].errors.relativeL2 <= *limit.error) return i;
-        if (limit.milliseconds && milliseconds(rows[i]) <= *limit.milliseconds) chosen = i;
+std::optional<Choice> pick(const std::vector<Row>& rows, const Limit& limit) {
+    std::vector<std::size_t> within;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool keeps = (!limit.error || rows[i].errors.relativeL2 <= *limit.error) &&
+                           (!limit.milliseconds || milliseconds(rows[i]) <= *limit.milliseconds);
+        if (keeps && !rows[i].failure && (limit.withoutDiffusion || rows[i].contender.claim != Claim::Delta)) within.push_back(i);
     }
-    return chosen;
+    if (within.empty()) return std::nullopt;
+    const auto time = [&](std::size_t i) { return milliseconds(rows[i]); };
+    const auto error = [&](std::size_t i) { return rows[i].errors.relativeL2; };
+    std::vector<std::size_t> ties = within;
+    if (limit.error) {
+        const Row& fastest = rows[*std::ranges::min_element(within, {}, time)];
+        std::erase_if(ties, [&](std::size_t i) { return !isAsFast(rows[i], fastest); });
+    }
+    Choice choice{.row = *std::ranges::min_element(ties, {}, error)};
+    if (!limit.error) { // by the time's spread these might have been within it
+        ties.clear();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (!rows[i].failure && error(i) < error(choice.row) && rows[i].drawn.milliseconds.p25 <= *limit.milliseconds)
+                ties.push_back(i);
+    }
+    std::erase(ties, choice.row);
+    choice.ties = std::move(ties);
+    return choice;
+}
+
+std::optional<double> shareOfNoDiffusion(const std::vector<Row>& rows, std::size_t row) {
+    for (const Row& other : rows)
+        if (!other.failure && other.contender.claim == Claim::Delta && other.scene == rows[row].scene &&
+            other.mapSize == rows[row].mapSize && other.shadowSize == rows[row].shadowSize && other.errors.relativeL2 > 0)
+            return rows[row].errors.relativeL2 / other.errors.relativeL2;
+    return std::nullopt;
 }
 
 std::string renderCommand(const Row& row) {

@@ -13,13 +13,22 @@ namespace tegument::bench {
 struct Limit {
     std::optional<double> error;        // relative L2
     std::optional<double> milliseconds; // median
+    bool withoutDiffusion = false;      // techniques that claim no diffusion may be chosen, too
+};
+
+struct Choice {
+    std::size_t row = 0;
+    std::vector<std::size_t> ties; // other rows that the spread of the times does not tell apart from it
 };
 
 /// Of one scene and size of maps: indices of the rows than which no other is both faster and nearer to the truth, fastest first.
 [[nodiscard]] std::vector<std::size_t> paretoFront(const std::vector<Row>& rows);
 
-/// The cheapest row within the error, or the most accurate within the time; the row's index.
-[[nodiscard]] std::optional<std::size_t> pick(const std::vector<Row>& rows, const Limit& limit);
+/// The cheapest row within the error, or the most accurate within the time; of those that tie, the most accurate. Indices of rows.
+[[nodiscard]] std::optional<Choice> pick(const std::vector<Row>& rows, const Limit& limit);
+
+/// The row's error over that of no diffusion on the same scene with the same maps, where that was measured: 0 the truth, 1 no gain.
+[[nodiscard]] std::optional<double> shareOfNoDiffusion(const std::vector<Row>& rows, std::size_t row);
 
 /// The command that draws this row's picture.
 [[nodiscard]] std::string renderCommand(const Row& row);

@@ -3,6 +3,7 @@
 #include "host/support/file.h"
 #include "host/support/text.h"
 #include "lab/bench/shapes.h"
+#include "meshprep/assets/names.h"
 #include "meshprep/assets/scene.h"
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace tegument::bench {
 
@@ -198,9 +200,13 @@ Result<fs::path> makeHead(const SceneName& name, const std::string& text, const 
     return writeScene(name, text, *mesh, view, options);
 }
 
-bool isFile(const std::string& text) {
+/// The workspace that it names as a file, or by its name as -w takes it where no scene is called so.
+std::optional<fs::path> workspaceOf(const std::string& text) {
     std::error_code code;
-    return text.ends_with(".json") || fs::is_regular_file(text, code);
+    if (text.ends_with(".json") || fs::is_regular_file(text, code)) return fs::path(text);
+    if (parseSceneName(text)) return std::nullopt;
+    const auto found = assets::findWorkspace(text, {});
+    return found ? std::optional(*found) : std::nullopt;
 }
 
 /// The workspace's textures win over the mesh file's, as when an effect is drawn.
@@ -258,13 +264,13 @@ Result<SceneName> parseSceneName(const std::string& text) {
 }
 
 Result<void> checkSceneName(const std::string& text) {
-    if (isFile(text)) return {};
+    if (workspaceOf(text)) return {};
     const auto name = parseSceneName(text);
     return name ? Result<void>() : name.error();
 }
 
 Result<Scene> loadScene(const std::string& text, const SceneOptions& options) {
-    if (isFile(text)) return read(fs::path(text).stem().string(), text, options.needsUvs);
+    if (const auto file = workspaceOf(text)) return read(file->stem().string(), *file, options.needsUvs);
     const auto name = parseSceneName(text);
     if (!name) return name.error();
     const auto file = name->shape == "head" ? makeHead(*name, text, options) : makeShape(*name, text, options);

@@ -29,7 +29,12 @@ double quantile(std::span<const double> values, double share) {
 
 Spread spreadOf(std::span<const double> values) {
     const double noise = values.size() < 2 ? 0 : std::abs(medianOfEvery(values, 0) - medianOfEvery(values, 1));
-    return {.median = quantile(values, 0.5), .p5 = quantile(values, 0.05), .p95 = quantile(values, 0.95), .noise = noise};
+    return {.median = quantile(values, 0.5),
+            .p5 = quantile(values, 0.05),
+            .p25 = quantile(values, 0.25),
+            .p75 = quantile(values, 0.75),
+            .p95 = quantile(values, 0.95),
+            .noise = noise};
 }
 
 PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y) {

@@ -12,6 +12,8 @@ namespace tegument::bench {
 struct Spread {
     double median = 0;
     double p5 = 0;
+    double p25 = 0;
+    double p75 = 0;
     double p95 = 0;
     double noise = 0; // medians of the even and of the odd values apart: what repeating the measurement changes
 };

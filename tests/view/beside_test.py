@@ -97,7 +97,7 @@ class Beside(base.WideWindow):
         typed = base.keep(self.view.still(unlike=mended), "text_3_typed")
         self.assertEqual(include.read_text(), right)
         for _ in range(3):
-            self.view.screen.press("z", "Control_L", seconds=0.2)
+            self.view.screen.press("z", "Control_L")
         undone = base.keep(self.view.still(unlike=typed), "text_3_undone")
         self.assertLess(undone.share_apart(mended), typed.share_apart(mended))
         for key in ("slash", "slash", "a"):

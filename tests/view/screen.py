@@ -141,13 +141,11 @@ class Screen:
             xtest.fake_input(self.display, kind, 4 if up else 5)
         self.display.sync()
 
-    def press(self, name, *held, seconds=0):
-        """A key, with others held; Dear ImGui sees keys that type nothing only when they are down for a frame."""
+    def press(self, name, *held):
+        """A key, with others held."""
         codes = [self.display.keysym_to_keycode(XK.string_to_keysym(key)) for key in (*held, name)]
         for code in codes:
             xtest.fake_input(self.display, X.KeyPress, code)
-        self.display.sync()
-        time.sleep(seconds)
         for code in reversed(codes):
             xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()

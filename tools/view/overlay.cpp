@@ -1,16 +1,67 @@
 #include "tools/view/overlay.h"
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <deque>
+#include <optional>
+#include <set>
 #include <vector>
 
 namespace tegument::view {
 
+namespace {
+
+struct KeyEvent {
+    int key;
+    int code;
+    int action;
+    int modifiers;
+};
+
+/// Keys on their way to Dear ImGui. Before 1.87 it looks at keys once a frame: one that is pressed and released within a frame would be
+/// lost, so that a key changes once a frame, and what follows waits for the next one.
+class KeyQueue {
+public:
+    explicit KeyQueue(GLFWwindow* window) : window_(window) { current_ = this; }
+    KeyQueue(const KeyQueue&) = delete;
+    KeyQueue& operator=(const KeyQueue&) = delete;
+    ~KeyQueue() { current_ = nullptr; }
+
+    /// Starts Dear ImGui on the window, whose own callback sees each event at once.
+    [[nodiscard]] bool start() {
+        ofWindow_ = glfwSetKeyCallback(window_, nullptr);
+        const bool started = ImGui_ImplGlfw_InitForOther(window_, true);
+        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
+            if (current_->ofWindow_) current_->ofWindow_(window, key, code, action, modifiers);
+            current_->events_.push_back({key, code, action, modifiers});
+        });
+        return started;
+    }
+
+    void deliver() {
+        std::set<int> changed;
+        for (; !events_.empty() && changed.insert(events_.front().key).second; events_.pop_front())
+            ImGui_ImplGlfw_KeyCallback(window_, events_.front().key, events_.front().code, events_.front().action,
+                                       events_.front().modifiers);
+    }
+
+    [[nodiscard]] bool empty() const { return events_.empty(); }
+
+private:
+    static inline KeyQueue* current_ = nullptr; // GLFW's callbacks have no other way to it
+    GLFWwindow* window_;
+    GLFWkeyfun ofWindow_ = nullptr;
+    std::deque<KeyEvent> events_;
+};
+
+} // namespace
+
 struct Overlay::State {
     gpu::Texture font;
+    std::optional<KeyQueue> keys; // with a window
     bool started = false;
 
     ~State() {
@@ -86,7 +137,7 @@ Result<Overlay> Overlay::create(gpu::Device& device, const Window* window) {
     ImGui::GetIO().IniFilename = nullptr; // leaves no file behind
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
     ImGui::StyleColorsDark();
-    state->started = window && ImGui_ImplGlfw_InitForOther(window->handle(), true);
+    if (window) state->started = state->keys.emplace(window->handle()).start();
     auto font = uploadFont(device);
     if (!font) return font.error();
     state->font = std::move(*font);
@@ -101,7 +152,12 @@ bool Overlay::wantsKeys() const {
     return ImGui::GetIO().WantTextInput;
 }
 
+bool Overlay::hasKeys() const {
+    return state_->keys && !state_->keys->empty();
+}
+
 Result<void> Overlay::draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content) {
+    if (state_->keys) state_->keys->deliver();
     if (state_->started)
         ImGui_ImplGlfw_NewFrame();
     else

@@ -20,8 +20,10 @@ public:
 
     /// The mouse is over something that takes it.
     [[nodiscard]] bool wantsMouse() const;
-    /// Somebody types a number into it.
+    /// A field of it takes what is typed.
     [[nodiscard]] bool wantsKeys() const;
+    /// Keys wait for its next frame.
+    [[nodiscard]] bool hasKeys() const;
     /// Runs `content`, which calls Dear ImGui, and draws what it laid out over `target`.
     [[nodiscard]] Result<void> draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content);
 

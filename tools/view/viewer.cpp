@@ -146,7 +146,7 @@ Result<void> Viewer::step(const Input& input) {
     pieceBegan_ = std::chrono::steady_clock::now();
     const PixelSize pixels = windowPixels();
     const bool seen = pixels.width > 0 && pixels.height > 0;
-    if (input.any) settling_ = kSettlingFrames;
+    if (input.any || overlay_->hasKeys()) settling_ = kSettlingFrames;
     cursor_ = input.cursor;
     state_.cursor = glm::clamp(onPicture(cursor_), 0.0, 1.0);
     if (input.closed) running_ = false;

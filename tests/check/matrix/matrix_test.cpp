@@ -1,3 +1,4 @@
+#include "host/effect/preprocess.h"
 #include "host/support/file.h"
 #include "tests/check/describe.h"
 #include "tests/check/effect_files.h"
@@ -118,26 +119,63 @@ TEST_P(Matrix, the_table_of_resources_tells_what_the_passes_take) {
     }
 }
 
-/// The effect without includes, in a folder of its own, compiled likewise.
-CheckReport flattened(const fs::path& original) {
-    const fs::path folder = fs::temp_directory_path() / ("tegument-flatten-" + std::to_string(::getpid()));
-    const auto text = flattenEffect(original, {.read = [](const fs::path& path) { return readFile(path); }});
-    EXPECT_TRUE(text) << (text ? "" : format(text.error()));
-    const fs::path file = folder / original.filename();
-    EXPECT_TRUE(writeFile(file, text ? *text : ""));
-    CheckReport report = checkEffects({file}, {Target::Fx2, Target::Fx4, Target::Fx5}, {.allSettings = true});
-    fs::remove_all(folder);
-    return report;
+/// What a compiler sees of the file: its tokens, and pragmas before those that they stand before.
+std::vector<std::string> tokensOf(const fs::path& file, const PreprocessOptions& options) {
+    Sources sources;
+    const auto seen = preprocess(file, options, sources);
+    EXPECT_TRUE(seen) << (seen ? "" : format(seen.error()));
+    std::vector<std::string> tokens;
+    if (!seen) return tokens;
+    auto pragma = seen->pragmas.begin();
+    for (std::size_t i = 0; i <= seen->tokens.size(); ++i) {
+        for (; pragma != seen->pragmas.end() && pragma->before == i; ++pragma)
+            tokens.push_back(pragma->text);
+        if (i < seen->tokens.size()) tokens.emplace_back(seen->tokens[i].text);
+    }
+    return tokens;
 }
 
-TEST_P(Matrix, flattened_effects_compile_to_the_same_bytes_in_every_setting) {
-    const CheckReport alone = flattened(file());
-    ASSERT_EQ(alone.files.size(), effect().files.size());
-    for (std::size_t i = 0; i < alone.files.size(); ++i) {
-        const FileReport& original = effect().files[i];
-        EXPECT_EQ(original.binaries.size(), 3U) << original.file;
-        EXPECT_EQ(original.binaries, alone.files[i].binaries) << original.file << " " << original.variant;
+/// The effect without includes, in a folder of its own.
+class Flattened : public Matrix {
+protected:
+    void SetUp() override {
+        Matrix::SetUp();
+        if (IsSkipped()) return;
+        const auto text = flattenEffect(file(), reading_);
+        ASSERT_TRUE(text) << format(text.error());
+        ASSERT_TRUE(writeFile(alone_, *text));
     }
+    ~Flattened() override { fs::remove_all(alone_.parent_path()); }
+
+    const PreprocessOptions reading_{.read = [](const fs::path& path) { return readFile(path); }};
+    const fs::path alone_ = fs::temp_directory_path() / ("tegument-flatten-" + std::to_string(::getpid())) / file().filename();
+};
+
+INSTANTIATE_TEST_SUITE_P(Effects, Flattened, testing::ValuesIn(effectNames()), [](const auto& one) { return one.param; });
+
+TEST_P(Flattened, is_the_same_to_each_compiler_in_every_setting) {
+    for (std::size_t setting = 0; setting < settingVariants(file()).size(); ++setting) {
+        for (const char* target : {"FX_D3D9", "FX_D3D10", "FX_D3D11", "FX_ENTRY"}) {
+            PreprocessOptions options = reading_;
+            options.defines = {{"TEGUMENT_SETTING", std::to_string(setting)}, {target, "1"}};
+            const std::vector<std::string> whole = tokensOf(file(), options);
+            EXPECT_GT(whole.size(), 100U);
+            EXPECT_EQ(whole, tokensOf(alone_, options)) << setting << " " << target;
+        }
+    }
+}
+
+TEST_P(Flattened, compiles_to_the_same_bytes) {
+    const CheckReport alone = checkEffects({alone_}, {Target::Fx2, Target::Fx4, Target::Fx5});
+    const auto original = std::ranges::find_if(effect().files, [](const FileReport& one) {
+        return one.effect.settings && one.effect.settings->current == one.effect.settings->names.back(); // the default
+    });
+    ASSERT_NE(original, effect().files.end());
+    EXPECT_EQ(original->binaries.size(), 3U) << original->file;
+    ASSERT_EQ(alone.files.size(), 1U);
+    ASSERT_TRUE(alone.files[0].effect.settings);
+    EXPECT_EQ(alone.files[0].effect.settings->current, original->effect.settings->current);
+    EXPECT_EQ(original->binaries, alone.files[0].binaries) << original->file;
 }
 
 } // namespace

@@ -117,18 +117,46 @@ TEST(Choice, of_two_equal_rows_one_is_on_the_front) {
 }
 
 TEST(Choice, takes_the_cheapest_within_an_error) {
-    EXPECT_EQ(pick(five(), {.error = 0.05}), 2);
-    EXPECT_EQ(pick(five(), {.error = 0.5}), 1);
+    EXPECT_EQ(pick(five(), {.error = 0.05})->row, 2);
+    EXPECT_EQ(pick(five(), {.error = 0.5})->row, 1);
 }
 
 TEST(Choice, takes_the_most_accurate_within_a_time) {
-    EXPECT_EQ(pick(five(), {.milliseconds = 3.5}), 2);
-    EXPECT_EQ(pick(five(), {.milliseconds = 10}), 0);
+    EXPECT_EQ(pick(five(), {.milliseconds = 3.5})->row, 2);
+    EXPECT_EQ(pick(five(), {.milliseconds = 10})->row, 0);
 }
 
 TEST(Choice, takes_nothing_where_nothing_keeps_the_limit) {
-    EXPECT_EQ(pick(five(), {.error = 1e-4}), std::nullopt);
-    EXPECT_EQ(pick(five(), {.milliseconds = 0.5}), std::nullopt);
+    EXPECT_FALSE(pick(five(), {.error = 1e-4}));
+    EXPECT_FALSE(pick(five(), {.milliseconds = 0.5}));
+}
+
+TEST(Choice, of_rows_that_tie_is_the_most_accurate_and_names_the_others) {
+    std::vector<Row> rows = five();
+    rows.push_back(row(1.04, 0.09)); // 4 % slower than the fastest: no gain
+    const auto close = pick(rows, {.error = 0.5});
+    EXPECT_EQ(close->row, 5);
+    EXPECT_EQ(close->ties, std::vector<std::size_t>{1});
+    rows.back().drawn.milliseconds.median = 1.2;
+    EXPECT_EQ(pick(rows, {.error = 0.5})->row, 1) << "a fifth slower, by times that do not vary";
+    rows.back().drawn.milliseconds.p25 = 1.1;
+    rows.back().drawn.milliseconds.p75 = 1.4;
+    EXPECT_EQ(pick(rows, {.error = 0.5})->row, 5) << "within its spread";
+    rows.back().drawn.milliseconds.median = 1.3;
+    EXPECT_EQ(pick(rows, {.error = 0.5})->row, 1) << "more than a quarter slower";
+    rows[0].drawn.milliseconds.p25 = 3;
+    EXPECT_EQ(pick(rows, {.milliseconds = 3.5})->ties, std::vector<std::size_t>{0}) << "often within the time, and nearer";
+}
+
+TEST(Choice, takes_no_diffusion_where_it_is_asked_for_only_and_tells_errors_beside_it) {
+    std::vector<Row> rows = five();
+    EXPECT_EQ(shareOfNoDiffusion(rows, 2), std::nullopt);
+    rows[1].contender.claim = Claim::Delta;
+    EXPECT_EQ(pick(rows, {.error = 0.5})->row, 2);
+    EXPECT_EQ(pick(rows, {.error = 0.5, .milliseconds = {}, .withoutDiffusion = true})->row, 1);
+    EXPECT_NEAR(*shareOfNoDiffusion(rows, 2), 0.1, 1e-12);
+    rows[2].mapSize = 512;
+    EXPECT_EQ(shareOfNoDiffusion(rows, 2), std::nullopt) << "of other maps";
 }
 
 TEST(Choice, the_command_carries_everything_that_was_measured) {

@@ -270,11 +270,11 @@ TEST_F(Comparison, a_second_run_confirms_the_pick) {
     const double limit = 0.02;
     const auto chosen = pick(rows, {.error = limit});
     ASSERT_TRUE(chosen);
-    const Contender& contender = rows[*chosen].contender;
+    const Contender& contender = rows[chosen->row].contender;
     const auto again = run({contender.name()}, {contender.setting});
     ASSERT_EQ(again.size(), 1);
     EXPECT_LE(again[0].errors.relativeL2, limit);
-    EXPECT_DOUBLE_EQ(again[0].errors.relativeL2, rows[*chosen].errors.relativeL2) << "who else is drawn must not matter";
+    EXPECT_DOUBLE_EQ(again[0].errors.relativeL2, rows[chosen->row].errors.relativeL2) << "who else is drawn must not matter";
 }
 
 TEST_F(Comparison, what_cannot_be_drawn_does_not_stop_the_others) {

@@ -392,8 +392,10 @@ class Leaving(unittest.TestCase):
         view.title("making the edit")
         time.sleep(0.5)
         keep(view.screen.grab(), "what_is_made_is_said")
+        asked = time.monotonic()
         view.screen.press("q")
         self.assertEqual(view.process.wait(PATIENCE), 0, view.said())
+        self.assertLess(time.monotonic() - asked, 0.25 * PATIENCE, "it waits for no compiler")
         self.assertNotIn("validation:", view.said())
 
 

@@ -3,6 +3,7 @@
 #include "tools/view/view.h"
 #include "host/support/file.h"
 #include "host/support/result.h"
+#include "host/support/temporary.h"
 #include "meshprep/assets/generators.h"
 #include "meshprep/assets/roots_on_mesh.h"
 #include "meshprep/prepare/levels.h"
@@ -18,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -262,9 +264,13 @@ int runView(const ViewOptions& options) {
         say(text);
     };
     if (!options.replay.empty()) return replay(request, options.replay, tell);
-    const auto messages = viewEffect(request, tell);
-    if (!messages) return fail(messages.error(), false);
-    return ended(*messages);
+    const auto viewed = viewEffect(request, tell);
+    if (!viewed) return fail(viewed.error(), false);
+    const int code = ended(viewed->validation);
+    if (!viewed->unfinished) return code;
+    std::fflush(nullptr); // the window closes at once: no compiler can be stopped, and what it makes is of no use any more
+    removeTemporaries();
+    std::_Exit(code);
 }
 
 } // namespace

@@ -37,9 +37,15 @@ struct ViewRequest {
     std::function<std::vector<std::uint32_t>(const Mesh& mesh, const Image& roots)> rootsOn;
 };
 
+struct Viewed {
+    std::vector<std::string> validation; // what the validation layers said
+    /// Empty, or a window that was closed while a compiler or a mesh still kept other threads busy: its destruction waits for them.
+    std::shared_ptr<void> unfinished;
+};
+
 /// Until the window is closed. Errors in the effect's source are shown, told to `say` and mended by the next edit; only what happens before
-/// the first picture, or to the device, is returned. `say` gets one line or message at a time. Returns what the validation layers said.
-[[nodiscard]] Result<std::vector<std::string>> viewEffect(const ViewRequest& request, const std::function<void(const std::string&)>& say);
+/// the first picture, or to the device, is returned. `say` gets one line or message at a time.
+[[nodiscard]] Result<Viewed> viewEffect(const ViewRequest& request, const std::function<void(const std::string&)>& say);
 
 struct Replayed {
     std::vector<view::Reaction> reactions;

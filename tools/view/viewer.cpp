@@ -132,6 +132,13 @@ Result<void> Viewer::run() {
     return {};
 }
 
+bool Viewer::isBusy() const {
+    const auto runs = [](const auto& work) { return work.valid() && work.wait_for(std::chrono::seconds(0)) != std::future_status::ready; };
+    const auto reads = [](const auto& reading) { return reading && !reading->done(); };
+    return (making_ && (runs(making_->opening) || reads(making_->reading))) || std::ranges::any_of(abandoned_, reads) ||
+           runs(meshesMaking_) || std::ranges::any_of(meshesAbandoned_, runs);
+}
+
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
@@ -489,11 +496,13 @@ Result<void> Viewer::report(const Effect* effect, const Error& error) {
 
 namespace tegument {
 
-Result<std::vector<std::string>> viewEffect(const ViewRequest& request, const std::function<void(const std::string&)>& say) {
-    const auto viewer = view::Viewer::start(request, say);
+Result<Viewed> viewEffect(const ViewRequest& request, const std::function<void(const std::string&)>& say) {
+    auto viewer = view::Viewer::start(request, say);
     if (!viewer) return viewer.error();
     if (const auto ran = (*viewer)->run(); !ran) return ran.error();
-    return (*viewer)->validationMessages();
+    Viewed viewed{.validation = (*viewer)->validationMessages(), .unfinished = nullptr};
+    if ((*viewer)->isBusy()) viewed.unfinished = std::shared_ptr<view::Viewer>(std::move(*viewer));
+    return viewed;
 }
 
 } // namespace tegument

@@ -33,6 +33,8 @@ public:
     /// The steps one after another, each as soon as the one before has its picture.
     [[nodiscard]] Result<std::vector<Reaction>> replay(const std::vector<ReplayStep>& steps);
     [[nodiscard]] std::vector<std::string> validationMessages() const { return device_.validationMessages(); }
+    /// Other threads still work, and destruction would wait for them.
+    [[nodiscard]] bool isBusy() const;
 
 private:
     /// Until what a move needs is there.

@@ -76,8 +76,9 @@ Image decoded(Image image) {
     std::array<float, 256> light{}; // a power for each texel of a large map would take longer than all the rest
     for (std::size_t i = 0; i < light.size(); ++i)
         light[i] = srgbToLinear(static_cast<float>(i) / 255);
-    return mapped(std::move(image),
-                  [&](float value) { return light[static_cast<std::size_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255))]; });
+    return mapped(std::move(image), [&](float value) {
+        return light[static_cast<std::size_t>(static_cast<double>(std::clamp(value, 0.0F, 1.0F) * 255) + 0.5)];
+    });
 }
 
 Image encoded(Image image) {

@@ -36,7 +36,8 @@ Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Re
 /// A picture, or a cube's face, and the levels made of it. Of wider sRGB values the light is in the texture: of that the means are taken,
 /// too.
 Result<void> uploadChain(gpu::Device& device, const TextureData& data, const Image& image, gpu::Texture& texture, std::uint32_t face) {
-    const Image top = data.decode ? decoded(image) : image;
+    const Image light = data.decode ? decoded(image) : Image();
+    const Image& top = data.decode ? light : image;
     auto uploaded = device.upload(texture, texels(top, data.format, false), 0, face);
     std::uint32_t mip = 0;
     for (const Image& level : mipLevels(top, data.format == PixelFormat::RGBA8Srgb ? MeanOf::Light : MeanOf::Values))

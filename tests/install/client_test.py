@@ -2,7 +2,7 @@
 """A program of 28 lines by the installed library draws what `tegument render` draws, bit for bit.
 
     client_test.py setup BUILD SOURCE COMPILER LAUNCHER    installs into a fresh prefix and builds docs/samples/client against it
-    client_test.py draw BUILD PART PARTS                   every technique of every effect, each on one of two meshes in turn
+    client_test.py draw BUILD PART PARTS                   every technique of every effect: the first of each on the default head, others on the Bunny
     client_test.py draw BUILD PART PARTS both              on both of them
 """
 
@@ -56,8 +56,8 @@ def meshes():
 
 def techniques(tegument, share):
     for effect in sorted([*(share / "effects").glob("*.fx"), *(share / "effects/peers").glob("*.fx")]):
-        for technique in json.loads(run([tegument, "info", effect, "--json"]))["techniques"]:
-            yield effect, technique["name"]
+        for number, technique in enumerate(json.loads(run([tegument, "info", effect, "--json"]))["techniques"]):
+            yield effect, technique["name"], number == 0
 
 
 def outcome(words, picture):
@@ -73,9 +73,9 @@ def draw(build, part, parts, both):
     work = build / "client_test"
     tegument, client = work / "package/bin/tegument", work / "client/client"
     drawn = refused = 0
-    for number, (effect, technique) in enumerate(techniques(tegument, work / "package/share/tegument")):
-        for place, mesh in enumerate(meshes()):
-            if not both and place != number % 2 or number // 2 % parts != part:
+    for number, (effect, technique, first) in enumerate(techniques(tegument, work / "package/share/tegument")):
+        for mesh in meshes():
+            if not both and first == (mesh == BUNNY) or number % parts != part:
                 continue
             ours, theirs = (work / f"{name}_{part}.exr" for name in ("client", "program"))
             mine = outcome([client, effect, "-t", technique, *SMALL, mesh, "-o", ours], ours)

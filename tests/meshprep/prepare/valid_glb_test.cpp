@@ -47,7 +47,7 @@ private:
         }
     }
 
-    static constexpr std::size_t kLarge = 2'000'000; // of three like it one is enough, and takes time enough
+    static constexpr std::size_t kLarge = 300'000; // of those like it one is enough, and takes time enough
     std::size_t written_ = 0;
 };
 

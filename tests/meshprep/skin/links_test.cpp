@@ -93,9 +93,9 @@ TEST(SkinLinks, TheMiddleOfALargePlaneGetsAllOfItsLight) {
 }
 
 TEST(SkinLinks, ALargeBodyLosesNoLightThoughItsTexelsAreWiderThanLightSpreads) {
-    for (const double side : {300.0, 1000.0, 10000.0}) { // mm: texels of 1.2 to 39 mm
+    for (const double side : {300.0, 1000.0, 10000.0}) { // mm to the map: texels of 1.2 to 39 mm
         Mesh plane;
-        addSheet(plane, side, 0, {0.05, 0.05}, 0.9);
+        addSheet(plane, 0.4 * side, 0, {0.3, 0.3}, 0.4);
         const auto links = makeSkinLinks(plane);
         ASSERT_TRUE(links) << format(links.error());
         for (const int at : {100, 128, 131}) {
@@ -108,10 +108,10 @@ TEST(SkinLinks, ALargeBodyLosesNoLightThoughItsTexelsAreWiderThanLightSpreads) {
 }
 
 TEST(SkinLinks, TheBorderOfLightIsAsWideAsTheGaussianThoughSourcesAreWide) {
-    constexpr double kSide = 200;      // mm: near sources are 0.8 mm large
+    constexpr double kSide = 200;      // mm to the map: near sources are 0.8 mm large
     constexpr double kMeasured = 0.03; // 0.025: least squares over sources whose sizes double from one to the next; without them 0.042
     Mesh plane;
-    addSheet(plane, kSide, 0, {0.0, 0.0}, 1);
+    addSheet(plane, 0.5 * kSide, 0, {0.25, 0.25}, 0.5);
     const auto links = makeSkinLinks(plane);
     ASSERT_TRUE(links) << format(links.error());
     for (const int at : {120, 127})
@@ -126,13 +126,14 @@ TEST(SkinLinks, TheBorderOfLightIsAsWideAsTheGaussianThoughSourcesAreWide) {
 // Across a gap nothing is interpolated: what a receiver's side takes from the Gaussian in its plane it must not take there.
 TEST(SkinLinks, LightDiesAwayAcrossAGapAsTheGaussianDoesHoweverWideTheReceiver) {
     constexpr double kApart = 2.5;                   // mm
-    for (const double side : {45.0, 150.0, 300.0}) { // mm: receivers of 0.4, 1.3 and 2.6 mm
+    constexpr double kShare = 0.2;                  // of the map's side: what lies farther from the middle brings nothing
+    for (const double side : {45.0, 150.0, 300.0}) { // mm in .45 of it: receivers of 0.4, 1.3 and 2.6 mm
         Mesh sheets;
-        addSheet(sheets, side, 0, {0.02, 0.02}, 0.45);
-        addSheet(sheets, side, kApart, {0.02, 0.53}, 0.45);
+        addSheet(sheets, side * kShare / 0.45, 0, {0.02, 0.02}, kShare);
+        addSheet(sheets, side * kShare / 0.45, kApart, {0.02, 0.53}, kShare);
         const auto links = makeSkinLinks(sheets);
         ASSERT_TRUE(links) << format(links.error());
-        const int middle = static_cast<int>(0.245 * kLinkSide);
+        const int middle = static_cast<int>((0.02 + 0.5 * kShare) * kLinkSide);
         const Read read = listOf(*links, middle, middle);
         for (std::size_t i = 0; i < 2; ++i) {
             const double expected = std::exp(-kApart * kApart / (2 * kVariances[i]));
@@ -265,7 +266,7 @@ TEST(SkinLinks, MeshesWithoutTextureCoordinatesAreRefused) {
 
 TEST(SkinLinks, TheyAreTheSameWithAnyNumberOfThreads) {
     Mesh plane;
-    addSheet(plane, 60, 0, {0.1, 0.1}, 0.8);
+    addSheet(plane, 22, 0, {0.1, 0.1}, 0.3);
     const auto one = makeSkinLinks(plane, {.threads = 1});
     const auto many = makeSkinLinks(plane, {.threads = 3});
     ASSERT_TRUE(one && many);

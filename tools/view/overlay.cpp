@@ -14,15 +14,18 @@ namespace tegument::view {
 
 namespace {
 
+/// A key that changes, or what was typed.
 struct KeyEvent {
     int key;
     int code;
     int action;
     int modifiers;
+    unsigned character = 0; // 0: of a key
 };
 
-/// Keys on their way to Dear ImGui. Before 1.87 it looks at keys once a frame: one that is pressed and released within a frame would be
-/// lost, so that a key changes once a frame, and what follows waits for the next one.
+/// Keys and characters on their way to Dear ImGui. Before 1.87 it looks at keys once a frame: one that is pressed and released within a
+/// frame would be lost. So a key changes once a frame, and what follows waits for the next one, characters too: with Ctrl down they would
+/// not count.
 class KeyQueue {
 public:
     explicit KeyQueue(GLFWwindow* window) : window_(window) { current_ = this; }
@@ -30,22 +33,33 @@ public:
     KeyQueue& operator=(const KeyQueue&) = delete;
     ~KeyQueue() { current_ = nullptr; }
 
-    /// Starts Dear ImGui on the window, whose own callback sees each event at once.
+    /// Starts Dear ImGui on the window, whose own callbacks see each event at once.
     [[nodiscard]] bool start() {
-        ofWindow_ = glfwSetKeyCallback(window_, nullptr);
+        keyOfWindow_ = glfwSetKeyCallback(window_, nullptr);
+        characterOfWindow_ = glfwSetCharCallback(window_, nullptr);
         const bool started = ImGui_ImplGlfw_InitForOther(window_, true);
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
-            if (current_->ofWindow_) current_->ofWindow_(window, key, code, action, modifiers);
+            if (current_->keyOfWindow_) current_->keyOfWindow_(window, key, code, action, modifiers);
             current_->events_.push_back({key, code, action, modifiers});
+        });
+        glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+            if (current_->characterOfWindow_) current_->characterOfWindow_(window, character);
+            current_->events_.push_back({.key = 0, .code = 0, .action = 0, .modifiers = 0, .character = character});
         });
         return started;
     }
 
     void deliver() {
         std::set<int> changed;
-        for (; !events_.empty() && changed.insert(events_.front().key).second; events_.pop_front())
-            ImGui_ImplGlfw_KeyCallback(window_, events_.front().key, events_.front().code, events_.front().action,
-                                       events_.front().modifiers);
+        for (; !events_.empty(); events_.pop_front()) {
+            const KeyEvent& event = events_.front();
+            if (event.character != 0) {
+                ImGui_ImplGlfw_CharCallback(window_, event.character);
+            } else {
+                if (!changed.insert(event.key).second) return;
+                ImGui_ImplGlfw_KeyCallback(window_, event.key, event.code, event.action, event.modifiers);
+            }
+        }
     }
 
     [[nodiscard]] bool empty() const { return events_.empty(); }
@@ -53,7 +67,8 @@ public:
 private:
     static inline KeyQueue* current_ = nullptr; // GLFW's callbacks have no other way to it
     GLFWwindow* window_;
-    GLFWkeyfun ofWindow_ = nullptr;
+    GLFWkeyfun keyOfWindow_ = nullptr;
+    GLFWcharfun characterOfWindow_ = nullptr;
     std::deque<KeyEvent> events_;
 };
 

@@ -63,6 +63,12 @@ TEST(ShaderTests, FirstTestPassesWithEveryCompilerUnderTheValidationLayers) {
     EXPECT_NE(ran.out.find("8 passed, 0 failed"), std::string::npos) << ran.out;
 }
 
+TEST(ShaderTests, SampleOfThePagePasses) {
+    const Ran ran = tegument({"test", "docs/samples/test/fresnel.test.hlsl"});
+    expectPassed(ran);
+    EXPECT_NE(ran.out.find("6 passed, 0 failed"), std::string::npos) << ran.out;
+}
+
 TEST(ShaderTests, WrongConstantIsFoundWithInputsValueAndExpected) {
     const json found = failures("constant.test.hlsl", R"(float luminance(float3 c) { return dot(c, float3(0.2126, 0.7152, 0.0822)); }
 TG_TEST(white_is_one)
@@ -98,7 +104,8 @@ TG_TEST(both)
 }
 
 TEST(ShaderTests, FirstNanIsPlaced) {
-    write("nan.hlsl", "float3 unit(float3 v)\n{\n    float length2 = dot(v, v);\n    float3 n = v / sqrt(length2);\n    return n;\n}\n");
+    (void)write("nan.hlsl",
+                "float3 unit(float3 v)\n{\n    float length2 = dot(v, v);\n    float3 n = v / sqrt(length2);\n    return n;\n}\n");
     const json found = failures("nan.test.hlsl", R"(#include "nan.hlsl"
 TG_TEST(is_finite)
 {
@@ -179,7 +186,7 @@ TEST(ShaderTests, MissingBarrierFails) {
 }
 
 TEST(ShaderTests, FixturesReachTheShader) {
-    write("ramp.csv", "# energy\nx, y\n1, 10\n2, 20\n");
+    (void)write("ramp.csv", "# energy\nx, y\n1, 10\n2, 20\n");
     expectPassed(run("fixtures.test.hlsl", R"(Texture2D gMap;
 SamplerState gSampler;
 RWStructuredBuffer<uint> gOut;
@@ -227,12 +234,12 @@ TEST(ShaderTests, WhatHasNoFixtureIsNamed) {
     expectSaid(run("fixture.test.hlsl", "Texture2D gMap;\ntgTexture(gMap, 2, 2, { 1, 2, 3 });\nTG_TEST(t) { tgEqual(1, 1); }\n"), kInput,
                {"TG8203", "(2,17)", "3 numbers do not fill 2 x 2 texels"});
     expectSaid(run("table.test.hlsl", "TG_TEST(t) { float x = tgTable(\"cut.csv\"); tgFinite(x); }\n"), kInput, {"TG8203", "cut.csv"});
-    write("cut.csv", "1, 2\n3\n");
+    (void)write("cut.csv", "1, 2\n3\n");
     expectSaid(run("table.test.hlsl", "TG_TEST(t) { float x = tgTable(\"cut.csv\"); tgFinite(x); }\n"), kInput, {"TG8204", "cut.csv(2,"});
 }
 
 TEST(ShaderTests, CompileErrorHasTheLineOfItsFile) {
-    write("broken.hlsl", "float f()\n{\n    return undeclared;\n}\n");
+    (void)write("broken.hlsl", "float f()\n{\n    return undeclared;\n}\n");
     expectSaid(run("broken.test.hlsl", "#include \"broken.hlsl\"\nTG_TEST(t) { tgEqual(f(), 1); }\n"), kInput,
                {"broken.hlsl(3,12)", "TG3001", "undeclared"});
     expectSaid(run("struct.test.hlsl", "struct S { float x; };\nTG_TEST(t)\n{\n    S s;\n    s.x = 1;\n    tgEqual(s, 1);\n}\n"), kInput,
@@ -274,7 +281,7 @@ TEST(ShaderTests, TableOfTenThousandCasesTakesAtMostASecondMore) {
     const std::string text =
         "TG_TEST(square) { float x = tgTable(\"squares.npy\"); float y = tgTable(\"squares.npy\", 1); tgNear(x * x, y, tgUlp(1)); }\n";
     const auto seconds = [&](std::size_t rows) {
-        write("squares.npy", npy(rows));
+        (void)write("squares.npy", npy(rows));
         expectPassed(run("squares.test.hlsl", text)); // both are in the cache then
         const Ran ran = run("squares.test.hlsl", text, {"--json"});
         EXPECT_EQ(ran.json()["tests"][0]["assertions"], rows);
@@ -319,8 +326,8 @@ TEST(ShaderTests, ListFilterAndJUnit) {
 }
 
 TEST(ShaderTests, CoverageNamesLinesThatDidNotRun) {
-    write("covered.hlsl",
-          "float f(float x)\n{\n    if (x < 0)\n        return 0;\n    else if (x > 10)\n        return 10;\n    return x;\n}\n");
+    (void)write("covered.hlsl",
+                "float f(float x)\n{\n    if (x < 0)\n        return 0;\n    else if (x > 10)\n        return 10;\n    return x;\n}\n");
     const Ran ran = run("covered.test.hlsl",
                         "#include \"covered.hlsl\"\nTG_TEST(t)\n{\n    float x = tgCases(-1, 5);\n    tgEqual(f(x), max(x, 0));\n}\n",
                         {"--coverage", out("covered.info")});
@@ -331,7 +338,7 @@ TEST(ShaderTests, CoverageNamesLinesThatDidNotRun) {
 }
 
 TEST(ShaderTests, MutantThatNoTestNoticesIsNamed) {
-    write("mutated.hlsl", "float f(float x)\n{\n    return x * 2.0;\n}\n");
+    (void)write("mutated.hlsl", "float f(float x)\n{\n    return x * 2.0;\n}\n");
     const std::string weak = "#include \"mutated.hlsl\"\nTG_TEST(t) { float x = tgCases(0); tgEqual(f(x), 0); }\n";
     const Ran ran = run("weak.test.hlsl", weak, {"--mutate", "10"});
     EXPECT_EQ(ran.code, kInput) << ran.out << ran.err;

@@ -34,7 +34,7 @@ struct TestArguments {
     std::string coverage;
     std::size_t mutants = 0;
     std::uint32_t seed = 1;
-    std::uint32_t loopMost = 1U << 20U;
+    std::uint32_t loopMost = testing::RunOptions().loopMost;
     bool list = false;
     bool errors = false;
     bool validate = false;
@@ -295,7 +295,7 @@ int test(const TestArguments& arguments) {
 void addTest(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<TestArguments>();
     CLI::App* command = program.add_subcommand("test", "Run unit tests of shaders, written in HLSL; no GPU is needed");
-    repeatable(command->add_option("files", arguments->files, "Files of tests (.test.hlsl)")->required())->expected(1, -1);
+    command->add_option("files", arguments->files, "Files of tests (.test.hlsl)")->required();
     command->add_option("--filter", arguments->filter, "Only tests of this name; * stands for anything");
     command->add_flag("--list", arguments->list, "List the tests, run none");
     command->add_option("--compiler", arguments->compiler, "dxc, glslang or both; default: both, as far as they are installed")

@@ -270,7 +270,7 @@ std::optional<DeclarationReader::Input> DeclarationReader::input(const Tokens& t
         const std::uint32_t components = componentsOf(type);
         for (std::uint32_t c = 0; c < components; ++c)
             units += fmt::format("{}tgTestUnit({}u, {}u)", c == 0 ? "" : ", ", inputs_, c);
-        if (draws_ == 0) draws_ = 1;
+        draws_ = std::max(draws_, 1U);
         return Input{first + 1, fmt::format("{0} {1} = ({0})(({0})({2}) + (({0})({3}) - ({0})({2})) * float{4}({5}));", type, name, text(0),
                                             text(1), components == 1 ? "" : std::to_string(components), units)};
     }

@@ -1,5 +1,6 @@
 #include "tools/test/run.h"
 
+#include "host/support/file.h"
 #include "host/support/parallel.h"
 
 #include <fmt/format.h>
@@ -20,8 +21,27 @@ namespace {
 constexpr std::uint32_t kOrders = 8;      // of the threads of a group
 constexpr std::size_t kMostFailures = 10; // that a test tells of
 
+/// Compilers quote the code that they got: the line as its author has it instead, from its first word on.
+void quoteSource(Diagnostic& message) {
+    const auto text = readFile(message.at.file);
+    if (!text || message.at.line == 0) return;
+    std::size_t start = 0;
+    for (int line = 1; line < message.at.line && start != std::string::npos; ++line)
+        start = text->find('\n', start) == std::string::npos ? std::string::npos : text->find('\n', start) + 1;
+    if (start == std::string::npos) return;
+    const std::string own = text->substr(start, text->find('\n', start) - start);
+    if (own == message.sourceLine) return;
+    message.sourceLine = own;
+    message.at.column = static_cast<int>(std::min(own.find_first_not_of(" \t"), own.size())) + 1;
+    if (message.text.find("tgTestOf") != std::string::npos) message.hint = "assertions take numbers, and vectors of up to four";
+}
+
 Result<Shader> compiled(const TestFile& file, const std::string& entry, ShaderStage stage, Compiler compiler) {
-    return compileShader({.code = file.code, .file = file.path.string(), .entry = entry, .stage = stage, .apart = true}, compiler);
+    auto shader = compileShader({.code = file.code, .file = file.path.string(), .entry = entry, .stage = stage, .apart = true}, compiler);
+    if (shader) return shader;
+    Error error = shader.error();
+    std::ranges::for_each(error.diagnostics, quoteSource);
+    return error;
 }
 
 std::string textOf(const Noted& noted) {
@@ -29,7 +49,7 @@ std::string textOf(const Noted& noted) {
     for (std::uint32_t c = 0; c < noted.count; ++c) {
         const double number = noted.number(c);
         text += c == 0 ? "" : ", ";
-        text += noted.kind == 0   ? fmt::format("{}", static_cast<float>(number))
+        text += noted.kind == 0   ? (std::isnan(number) ? "nan" : fmt::format("{}", static_cast<float>(number)))
                 : noted.kind == 3 ? (number != 0 ? "true" : "false")
                                   : fmt::format("{:.0f}", number);
     }

@@ -17,7 +17,7 @@ struct RunOptions {
     std::vector<Compiler> compilers;
     std::string filter; // of names, with *; empty: all
     std::uint32_t seed = 1;
-    std::uint32_t loopMost = 1U << 20U; // turns of a loop
+    std::uint32_t loopMost = 50'000; // turns of a loop: lavapipe leaves each after 65,535, in silence
 };
 
 /// An assertion that failed, or what instrumentation found.

@@ -62,6 +62,14 @@ TgTestValue tgTestOf(uint3 x) { return tgTestMake(uint4(x, 0u), 2u, 3u); }
 TgTestValue tgTestOf(uint4 x) { return tgTestMake(x, 2u, 4u); }
 TgTestValue tgTestOf(bool x) { return tgTestMake(uint4(x ? 1u : 0u, 0u, 0u, 0u), 3u, 1u); }
 
+// Of which DXC would take a row: no assertion has them.
+struct TgTestMatrix { float none; };
+TgTestMatrix tgTestNone() { TgTestMatrix none; none.none = 0.0; return none; }
+TgTestMatrix tgTestOf(float3x3 x) { return tgTestNone(); }
+TgTestMatrix tgTestOf(float4x4 x) { return tgTestNone(); }
+TgTestMatrix tgTestOf(float3x4 x) { return tgTestNone(); }
+TgTestMatrix tgTestOf(float4x3 x) { return tgTestNone(); }
+
 float4 tgTestNumbers(TgTestValue x)
 {
     if (x.kind == 0u) return asfloat(x.bits);

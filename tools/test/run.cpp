@@ -33,7 +33,8 @@ void quoteSource(Diagnostic& message) {
     if (own == message.sourceLine) return;
     message.sourceLine = own;
     message.at.column = static_cast<int>(std::min(own.find_first_not_of(" \t"), own.size())) + 1;
-    if (message.text.find("tgTestOf") != std::string::npos) message.hint = "assertions take numbers, and vectors of up to four";
+    if (message.text.find("tgTest") != std::string::npos)
+        message.hint = "assertions take numbers, and vectors of up to four: rows of matrices";
 }
 
 Result<Shader> compiled(const TestFile& file, const std::string& entry, ShaderStage stage, Compiler compiler) {

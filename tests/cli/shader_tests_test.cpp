@@ -264,6 +264,14 @@ TEST(ShaderTests, MalformedTestsAreUsageOfTheLanguage) {
     expectSaid(tegument({"test", out("absent.test.hlsl")}), kUsage, {"absent.test.hlsl"});
 }
 
+TEST(ShaderTests, FileThatCannotBeReadFailsAlone) {
+    const std::string empty = write("none.test.hlsl", "// nothing\n");
+    const Ran ran = run("other.test.hlsl", "TG_TEST(a) { tgTrue(true); }\n", {empty, "--compiler", "glslang"});
+    EXPECT_EQ(ran.code, kInput);
+    EXPECT_NE(ran.err.find("TG8201"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.out.find("1 passed, 0 failed"), std::string::npos) << ran.out;
+}
+
 TEST(ShaderTests, ExpectedFailurePassesAndItsSuccessFails) {
     expectPassed(run("known.test.hlsl", "TG_TEST(a) { tgExpectFailure(\"issue 12\"); tgEqual(1, 2); }\n"));
     const json found = failures("fixed.test.hlsl", "TG_TEST(a)\n{\n    tgExpectFailure(\"issue 12\");\n    tgEqual(2, 2);\n}\n");

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <thread>
 
@@ -123,7 +124,9 @@ std::string summary(const std::vector<FileResult>& results, double seconds) {
 
 void printResults(const std::vector<FileResult>& results, const TestArguments& arguments) {
     for (const FileResult& file : results) {
+        (void)std::fflush(stdout); // both may go to one place
         warn(file.diagnostics);
+        if (!file.read) fmt::print("FAILED  {}\n", file.path.string());
         for (const TestResult& test : file.tests) {
             fmt::print("{}  {}  {}  {}{}\n", test.passed() ? "passed" : "FAILED", file.path.string(), test.name, nameOf(test.compiler),
                        test.cases > 1 ? fmt::format("  {} cases", test.cases) : "");
@@ -205,10 +208,13 @@ Result<std::vector<FileResult>> runFiles(const TestArguments& arguments, const t
     std::vector<FileResult> results;
     for (const std::string& file : arguments.files) {
         auto result = testing::runFile(device, file, options);
-        if (!result) return result.error();
-        results.push_back(std::move(*result));
+        if (!result && result.error().blame != Blame::Input) return result.error();
+        if (result)
+            results.push_back(std::move(*result));
+        else // the others are run all the same
+            results.push_back({.path = file, .read = false, .diagnostics = result.error().diagnostics});
     }
-    if (std::ranges::all_of(results, [](const FileResult& file) { return file.tests.empty(); }))
+    if (std::ranges::all_of(results, [](const FileResult& file) { return file.read && file.tests.empty(); }))
         return usageError(8200, fmt::format("no test has a name like '{}'", arguments.filter),
                           "--list shows the names; * stands for anything");
     return results;

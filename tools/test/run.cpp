@@ -283,7 +283,7 @@ Result<Fate> fateOf(gpu::Device& device, const TestFile& file, std::vector<Work>
 } // namespace
 
 bool FileResult::passed() const {
-    return std::ranges::all_of(tests, &TestResult::passed);
+    return read && std::ranges::all_of(tests, &TestResult::passed);
 }
 
 bool chosen(const std::string& name, const std::string& filter) {

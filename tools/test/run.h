@@ -52,6 +52,7 @@ struct TestResult {
 
 struct FileResult {
     std::filesystem::path path;
+    bool read = true; // else nothing of it was run
     std::vector<TestResult> tests;
     std::vector<Diagnostic> diagnostics; // of the compilers, each once
     std::vector<std::filesystem::path> includes;

@@ -168,13 +168,7 @@ Result<Numbers> Values::require(const Parameter& parameter) const {
     return missing(parameter);
 }
 
-Result<void> pack(const BlockMember& member, const Parameter& parameter, const Numbers& value, std::span<std::byte> block) {
-    if (!sameShape(member, parameter.type))
-        return inputError(4019, parameter.at,
-                          fmt::format("{} is declared {} here, but the compiler saw {} rows, {} columns, {} elements", parameter.name,
-                                      parameter.type.name, member.rows, member.columns, member.elements),
-                          "do not declare it differently under #ifdef FX_ENTRY");
-    assert(value.size() == static_cast<std::size_t>(parameter.type.scalarCount()));
+void pack(const BlockMember& member, std::span<const double> value, std::span<std::byte> block) {
     std::size_t next = 0;
     const std::uint32_t elements = member.elements == 0 ? 1 : member.elements;
     for (std::uint32_t element = 0; element < elements; ++element)
@@ -185,6 +179,16 @@ Result<void> pack(const BlockMember& member, const Parameter& parameter, const N
                 assert(at + sizeof bits <= block.size());
                 std::memcpy(block.data() + at, &bits, sizeof bits);
             }
+}
+
+Result<void> pack(const BlockMember& member, const Parameter& parameter, const Numbers& value, std::span<std::byte> block) {
+    if (!sameShape(member, parameter.type))
+        return inputError(4019, parameter.at,
+                          fmt::format("{} is declared {} here, but the compiler saw {} rows, {} columns, {} elements", parameter.name,
+                                      parameter.type.name, member.rows, member.columns, member.elements),
+                          "do not declare it differently under #ifdef FX_ENTRY");
+    assert(value.size() == static_cast<std::size_t>(parameter.type.scalarCount()));
+    pack(member, value, block);
     return {};
 }
 

@@ -48,9 +48,11 @@ private:
     std::map<std::string, Error> failed_; // semantics that do not fit; reported when the parameter is used
 };
 
-/// Writes `value` (row order) at the member's offsets. Matrices: HLSL's column_major shows as RowMajor in the SPIR-V, its element (row,
-/// column) lies at column * stride + 4 * row: the transpose of the row-vector matrix, as in a Direct3D 11 constant buffer. TG4019 when the
-/// member and the parameter differ in shape.
+/// Writes `value` (row order), as many numbers as the member has, at the member's offsets. Matrices: HLSL's column_major shows as RowMajor
+/// in the SPIR-V, its element (row, column) lies at column * stride + 4 * row: the transpose of the row-vector matrix, as in a Direct3D 11
+/// constant buffer.
+void pack(const BlockMember& member, std::span<const double> value, std::span<std::byte> block);
+/// TG4019 when the member and the parameter differ in shape.
 [[nodiscard]] Result<void> pack(const BlockMember& member, const Parameter& parameter, const Numbers& value, std::span<std::byte> block);
 
 } // namespace tegument::run

@@ -24,6 +24,7 @@ struct ShaderRequest {
     ShaderStage stage = ShaderStage::Pixel;
     std::vector<std::pair<std::string, std::string>> defines; // in addition to FX_ENTRY=1
     std::vector<std::filesystem::path> includeFolders;        // usually empty: `code` is preprocessed
+    bool apart = false;        // DXC in a process of its own, whatever the language; the code has its includes in it
     bool language2018 = false; // DXC reads HLSL as it was before 2021: `?:` and `&&` on vectors, implicit truncation
 };
 

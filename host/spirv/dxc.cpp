@@ -254,10 +254,10 @@ constexpr std::string_view kNoMemory = "memory";
 /// In the other process. Such code has its includes in it.
 std::string answerTo(std::string_view message) {
     const std::vector<std::string> parts = unpacked(message);
-    if (parts.size() < 5) return {};
-    ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .language2018 = true};
+    if (parts.size() < 6) return {};
+    ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .language2018 = parts[5] == "2018"};
     request.stage = static_cast<ShaderStage>(std::atoi(parts[3].c_str()));
-    for (std::size_t i = 5; i + 1 < parts.size(); i += 2)
+    for (std::size_t i = 6; i + 1 < parts.size(); i += 2)
         request.defines.emplace_back(parts[i], parts[i + 1]);
     IncludeReader includes(request.file, {});
     try {
@@ -289,7 +289,7 @@ Result<Made> makeApart(const ShaderRequest& request, Output output) {
     static Children kChildren(answerTo, compiling());
     const std::string stage = std::to_string(static_cast<int>(request.stage));
     const std::string kind = std::to_string(static_cast<int>(output));
-    std::vector<std::string_view> parts{request.code, request.file, request.entry, stage, kind};
+    std::vector<std::string_view> parts{request.code, request.file, request.entry, stage, kind, request.language2018 ? "2018" : "2021"};
     for (const auto& [name, value] : request.defines)
         parts.insert(parts.end(), {name, value});
     const ChildAnswer answer = kChildren.ask(packed(parts), kLongest);
@@ -357,7 +357,7 @@ std::string flags(Output output) {
 }
 
 Result<RawShader> compile(const ShaderRequest& request, Output output, IncludeReader& includes) {
-    if (!request.language2018 || !request.includeFolders.empty()) {
+    if (!request.apart && (!request.language2018 || !request.includeFolders.empty())) {
         const std::shared_lock busy(compiling());
         return finish(make(request, output, includes), request, includes);
     }

@@ -159,7 +159,7 @@ void addBatch(CLI::App& program, Action& action) {
                  {"batch --results done --column /output/faces --report done.html", "what became of them"}},
                 "{} input  {name} file name without ending  {file} file name  {path} input without ending\n"
                 "An input that fails, crashes, takes too long or too much memory fails alone. A second run does\n"
-                "what failed, and what has changed, is cut or is gone: inputs and outputs (docs/many.md).");
+                "what failed, and what has changed, is cut or is gone: inputs and outputs (docs/command-line.md).");
     command->callback([options, &program, &action] { action = [options, &program] { return runBatch(*options, program); }; });
 }
 

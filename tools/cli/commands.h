@@ -21,6 +21,7 @@ using Action = std::function<int()>;
 void addRender(CLI::App& program, Action& action);
 void addPortrait(CLI::App& program, Action& action);
 void addCheck(CLI::App& program, Action& action);
+void addTest(CLI::App& program, Action& action);
 void addFlatten(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);
 void addList(CLI::App& program, Action& action);

@@ -108,6 +108,7 @@ int run(int argc, char** argv) {
     addRender(program, action);
     addPortrait(program, action);
     addCheck(program, action);
+    addTest(program, action);
     addFlatten(program, action);
     addInfo(program, action);
     addSurvey(program, action);

@@ -1,0 +1,89 @@
+#pragma once
+// A file of tests, made ready to be compiled: tests with their inputs and fixtures, and code in which every assertion knows its place.
+
+#include "host/effect/model.h"
+#include "host/support/shader_stage.h"
+#include "tools/test/table.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument::testing {
+
+/// Assertions first; then what only notes values; then what instrumentation finds.
+enum class SiteKind { Equal, Near, True, Finite, Between, Watch, Input, Loop, Index, NotANumber };
+
+/// A place in the source that the device tells of.
+struct Site {
+    SiteKind kind = SiteKind::True;
+    SourcePosition at;
+    std::string text; // as written; of an input its name
+    std::string line; // of the source
+    [[nodiscard]] bool isAssertion() const { return kind <= SiteKind::Between; }
+};
+
+/// A value from outside: tgTexture, tgBuffer, tgConstant, tgSampler.
+struct Fixture {
+    std::string kind;
+    std::string name;
+    SourcePosition at;
+    std::vector<double> numbers;
+    std::uint32_t width = 0; // of a texture; of a buffer given by its size, the numbers
+    std::uint32_t height = 0;
+    std::filesystem::path file;
+    std::vector<std::string> words; // of a sampler
+    bool isDefault = false;         // of the declaration
+};
+
+struct Test {
+    std::string name;
+    SourcePosition at;
+    ShaderStage stage = ShaderStage::Compute;
+    std::array<std::uint32_t, 3> group = {0, 0, 0}; // threads that work together; 0: each case alone
+    std::uint32_t cases = 1;
+    std::vector<Fixture> fixtures;  // the file's own first
+    std::vector<float> table;       // what its inputs read
+    std::string entry;              // of the shader
+    std::optional<std::string> why; // it is expected to fail
+
+    [[nodiscard]] std::uint32_t invocations() const {
+        return stage == ShaderStage::Pixel ? 4 : group[0] == 0 ? 1 : group[0] * group[1] * group[2];
+    }
+};
+
+/// A change of the code that a test should notice.
+struct Mutant {
+    std::size_t token = 0;
+    SourcePosition at;
+    std::string from;
+    std::string to;
+};
+
+struct TestFile {
+    std::filesystem::path path;
+    std::string code;
+    std::vector<Test> tests;
+    std::vector<Site> sites;
+    std::vector<std::filesystem::path> includes;
+    std::map<std::string, std::string> elements; // of structured buffers by name: their type
+    std::vector<SourcePosition> statements;      // whose runs are counted
+    std::vector<Mutant> mutants;                 // that could be made
+    std::vector<Diagnostic> warnings;
+};
+
+struct ReadOptions {
+    LoadOptions load;
+    bool coverage = false; // count the runs of each statement outside of tests
+    bool trace = false;    // look for the first NaN
+    std::optional<Mutant> mutant;
+};
+
+/// TG8201: no test in it, TG8202: one is not well formed, TG8203: an input or a fixture is not; and what the preprocessor has to say.
+[[nodiscard]] Result<TestFile> readTests(const std::filesystem::path& file, const ReadOptions& options);
+
+} // namespace tegument::testing

@@ -5,7 +5,6 @@
 #include "meshprep/prepare/near_surface.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -19,41 +18,22 @@ constexpr std::size_t kTexels = std::size_t{kRootColumns} * kRootColumns;
 constexpr std::size_t kRootsOfRow = kRootColumns / kRootTexels;
 constexpr double kUsualSnap = 0.02; // radii
 
-/// The ball that fits the roots best (a linear least-squares fit of |p|² = 2 c p + d), shrunk until none is inside: what stands for a skin
-/// that nobody gave.
+/// A ball amid the roots, too small to be seen: what stands for a skin that nobody gave.
 void makeSkin(const Groom& groom, Mesh& mesh) {
     glm::dvec3 mean(0);
     for (std::size_t i = 0; i < groom.strands(); ++i)
         mean += glm::dvec3(groom.strand(i).front()) / static_cast<double>(groom.strands());
-    glm::dmat3 squares(0);
-    glm::dvec3 right(0);
-    double spread = 0;
-    for (std::size_t i = 0; i < groom.strands(); ++i) {
-        const glm::dvec3 p = glm::dvec3(groom.strand(i).front()) - mean;
-        squares += glm::outerProduct(p, p);
-        right += 0.5 * glm::dot(p, p) * p;
-        spread = std::max(spread, glm::length(p));
-    }
-    spread = std::max(spread, 1e-3);
-    const double ridge = 1e-6 * (squares[0][0] + squares[1][1] + squares[2][2]) + 1e-12;
-    glm::dvec3 centre = glm::inverse(squares + glm::dmat3(ridge)) * right;
-    if (!(glm::length(centre) < 4 * spread)) centre = glm::dvec3(0);
-    double radius = 1e30;
+    double spread = 1e-3;
     for (std::size_t i = 0; i < groom.strands(); ++i)
-        radius = std::min(radius, glm::distance(glm::dvec3(groom.strand(i).front()) - mean, centre));
-    radius = std::max(0.99 * radius, 1e-3 * spread);
-    constexpr std::uint32_t kAround = 64, kDown = 32;
-    for (std::uint32_t y = 0; y <= kDown; ++y)
-        for (std::uint32_t x = 0; x <= kAround; ++x) {
-            const double down = glm::pi<double>() * y / kDown, around = 2 * glm::pi<double>() * x / kAround;
-            const glm::dvec3 n(std::sin(down) * std::sin(around), std::cos(down), std::sin(down) * std::cos(around));
-            mesh.positions.emplace_back(mean + centre + radius * n);
+        spread = std::max(spread, glm::distance(glm::dvec3(groom.strand(i).front()), mean));
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) { // of an octahedron
+            glm::dvec3 n(0);
+            n[axis] = side;
+            mesh.positions.emplace_back(mean + 1e-4 * spread * n);
             mesh.normals.emplace_back(n);
-            const std::uint32_t a = y * (kAround + 1) + x, b = a + kAround + 1;
-            if (x == kAround || y == kDown) continue;
-            if (y > 0) mesh.indices.insert(mesh.indices.end(), {a, b + 1, a + 1});
-            if (y + 1 < kDown) mesh.indices.insert(mesh.indices.end(), {a, b, b + 1});
         }
+    mesh.indices = {1, 3, 5, 3, 0, 5, 0, 2, 5, 2, 1, 5, 3, 1, 4, 0, 3, 4, 2, 0, 4, 1, 2, 4};
     mesh.parts = {{.name = "skin", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
 }
 
@@ -205,7 +185,7 @@ Result<Image> bindGroom(Mesh& mesh, Groom groom, const BindOptions& options, Bou
             here.resampled += fewer;
             Bound& b = bound[i] = skin.at(chain.front(), snap);
             if (b.off)
-                ++here.off;
+                here.off += !figures.madeSkin;
             else
                 here.error = std::max(here.error, skin.distance(b.root));
             for (std::size_t k = 0; k < points; ++k) {

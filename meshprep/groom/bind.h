@@ -27,7 +27,7 @@ struct BoundFigures {
     bool madeSkin = false;
 };
 
-/// Gives the mesh the groom's strands in place of those it has; a mesh without triangles becomes a ball inside of the roots first. Returns
+/// Gives the mesh the groom's strands in place of those it has; a mesh without triangles gets a point amid the roots as its skin. Returns
 /// the texture of roots, which writeDds takes. Both in mm, y up where the mesh is: the groom as readGroom gives it. TG7110 more strands
 /// than the texture holds.
 [[nodiscard]] Result<Image> bindGroom(Mesh& mesh, Groom groom, const BindOptions& options, BoundFigures& figures);

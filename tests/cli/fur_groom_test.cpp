@@ -76,15 +76,14 @@ TEST(FurGroom, is_told_of_in_millimetres) {
 
 TEST(FurGroom, is_bound_to_a_skin_and_drawn_by_every_technique_that_takes_curves) {
     const fs::path mesh = scratch() / "bound.glb";
-    const Ran ran = fur({"import", groomOfBall("ball_groom.obj"), "--mesh", ballMesh(), "--width", "1", "-o", mesh.string(), "--json"});
+    const Ran ran =
+        fur({"import", groomOfBall("ball_groom.obj"), "--mesh", ballMesh(), "--width", "1", "--snap", "20", "-o", mesh.string(), "--json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const auto json = ran.json();
     EXPECT_EQ(json["strands"], kStrands);
     EXPECT_EQ(json["off_the_skin"], 0);
     EXPECT_LT(json["error_mm"].get<double>(), 0.1);
     EXPECT_EQ(json["files"][1], (scratch() / "bound.dds").string());
-    const Ran bare = tegument::test::tegument({"render", "effects/FurCoat.fx", "-t", "Strands", "--mesh", ballMesh(), "--set",
-                                               "gFurLength=0", "--size", "128x128", "-D", "TEGUMENT_MAP_SIZE=64", "-o", out("bare.png")});
     for (const std::string technique : {"Strands", "StrandsSoft", "Coat", "CoatSoft", "CoatChance"}) {
         const fs::path picture = scratch() / ("bound_" + technique + ".png");
         const Ran drawn = draw(mesh, technique, picture);

@@ -125,7 +125,7 @@ void printBound(const BoundFigures& f) {
     fmt::print("{} strands of {} points\n", f.strands, f.points);
     if (f.guides > 0) fmt::print("{} guides are not drawn\n", f.guides);
     if (f.madeSkin)
-        fmt::print("no --mesh: a ball inside of the roots stands for the skin\n");
+        fmt::print("no --mesh: strands alone, and nothing behind them\n");
     else
         fmt::print("roots were moved by {:.3g} mm (median), and are within {:.2g} mm of the skin\n", f.moved, f.error);
     if (f.off > 0) fmt::print("{} strands stand off the skin, and stay there: say --unit-mm, --up or --snap if they should not\n", f.off);
@@ -241,7 +241,7 @@ void addFurGroom(CLI::App& fur, Action& action) {
     in->output = "out/fur/groom.glb";
     CLI::App* import_ =
         addCommand(fur, "import", "Bind the curves of another program to a mesh, to draw them (docs/design/grooms.md)", *in);
-    import_->add_option("--mesh", in->mesh, "Skin on which the strands stand; default: a ball inside of the roots");
+    import_->add_option("--mesh", in->mesh, "Skin on which the strands stand; default: none, strands alone");
     import_->add_option("--mesh-unit-mm", in->skin.unitMm, "Millimetres in one unit of the skin's file");
     import_->add_option("--snap", in->bind.snap, "Roots within so many mm are moved onto the skin; default: a fiftieth of its radius");
     import_->add_option("--width", in->bind.width, "Diameter of every strand, mm; default: as the groom says, else 0.08");

@@ -40,7 +40,7 @@ std::optional<RootHeader> rootHeader(const Image& image) {
     if (!plausible || header.count == 0 || header.firstRoot % kRootColumns != 0 || header.firstRoot == 0) return std::nullopt;
     const std::size_t texels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (header.addressOf(header.count - 1) + kRootTexels > texels) return std::nullopt;
-    if (texel(image, 8).x == 0) return header;
+    if (texel(image, 1).w != 0) return header; // there is a grid, and no curve
     const glm::dvec4 curves = texel(image, 8);
     if (!isCount(curves.x) || !(curves.y >= 2 && curves.y <= kMostPoints) || !(curves.z > 0) || !(curves.w > 0)) return std::nullopt;
     header.firstPoint = static_cast<std::size_t>(curves.x);

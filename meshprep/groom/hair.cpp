@@ -51,6 +51,9 @@ Result<Groom> readHair(const Source& source, std::size_t) {
     const std::size_t points = numberAt<std::uint32_t>(source.bytes, 8);
     const auto arrays = numberAt<std::uint32_t>(source.bytes, 12);
     if ((arrays & kPoints) == 0) return meshfile::malformed(source.atByte(12), "the file has no points");
+    if (points > source.bytes.size() / sizeof(glm::vec3)) // before memory is taken for strands that share their number of points
+        return meshfile::overclaimed(source.atByte(8),
+                                     fmt::format("{} points cannot be held by a file of {} bytes", points, source.bytes.size()));
     Groom groom;
     auto first = readCounts(source, arrays, strands, points);
     if (!first) return first.error();

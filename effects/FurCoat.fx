@@ -22,6 +22,7 @@
 #include "passes/fur_rounds.fxh"
 #include "passes/fur_coat.fxh"
 #include "passes/fur_ribbons.fxh"
+#include "passes/fur_curves.fxh"
 #include "passes/fur_root_strands.fxh"
 #include "passes/fur_lock_parameters.fxh"
 #include "passes/relight.fxh"

@@ -37,6 +37,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/fur_rounds.fxh"
 #include "passes/fur_coat.fxh"
 #include "passes/fur_ribbons.fxh"
+#include "passes/fur_curves.fxh"
 #include "passes/fur_lock_parameters.fxh"
 #include "passes/relight.fxh"
 #include "passes/fur_opacity.fxh"

@@ -118,6 +118,9 @@
 #ifndef TEGUMENT_FUR_POSE
 #define TEGUMENT_FUR_POSE 0
 #endif
+#ifndef TEGUMENT_FUR_CURVES
+#define TEGUMENT_FUR_CURVES 0
+#endif
 #ifndef TEGUMENT_MOTION
 #define TEGUMENT_MOTION 0
 #endif

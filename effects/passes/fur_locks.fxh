@@ -48,6 +48,9 @@ struct LockStrand
     float clump;
     float turns;
     float phase;
+#if TEGUMENT_FUR_CURVES
+    float2 curve; // curveFirst; world units in a mm
+#endif
 };
 
 // What a vertex knows of its strand.
@@ -61,6 +64,14 @@ struct LockLooks
     float guard;   // 1: a guard hair
 };
 
+#if TEGUMENT_FUR_CURVES
+RibbonPlace lockPlace(LockStrand s, float along)
+{
+    RibbonPlace place = curvePlace(s.curve.x, along, s.curve.y);
+    place.offset += s.stray * (along * along);
+    return place;
+}
+#else
 RibbonPlace lockPlace(LockStrand s, float along)
 {
     float2 bent = along * float2(0.4 + 0.6 * along, 1.0 - s.sink * along); // along the flow, and up
@@ -75,6 +86,7 @@ RibbonPlace lockPlace(LockStrand s, float along)
         + turning.x * s.side + turning.y * s.across);
     return place;
 }
+#endif
 
 // Of a strand's tip, lengths along the mesh's axes. Gusts run along x, y and z alike, each lock a little by itself.
 float3 lockBlownBy(LockLooks looks, VertexInput input, float3 wind, float time)
@@ -118,7 +130,12 @@ LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float
     s.flow = flow * (lie * rsqrt(1.0 + dot(flow, flow)));
     s.sink = 0.304 * min(lie, 1.75);
     s.clump = gCoatClump * (0.5 + 0.5 * looks.lock.x) * (1.0 - 0.5 * max(looks.guard, under));
+#if TEGUMENT_FUR_CURVES
+    float3 stray = lockBlown(looks, input);
+    s.curve = float2(curveFirst(input.uv.y), frame.perMm);
+#else
     float3 stray = (looks.more - 0.5) * (gCoatStray * (1.0 + under)) + lockBlown(looks, input);
+#endif
     s.stray = (stray - s.normal * dot(stray, s.normal)) * s.height;
     float curl = gCoatCurl * s.height * (1.0 + under);
     s.side = curl * aside;
@@ -172,8 +189,12 @@ LockShare lockShareOf(VertexInput input, float child, float under, float pixel)
 // Half of a strand's width: even to two thirds of its length, then a point.
 float lockRadius(LockLooks looks, float along, float under)
 {
+#if TEGUMENT_FUR_CURVES
+    return curveRadius(looks.strand.curve.x, along, looks.strand.curve.y);
+#else
     float radius = gCoatRadius * gMeshRadius * (0.75 + 0.5 * looks.more.y) * (1.0 + 0.3 * looks.guard - 0.25 * under);
     return radius * (1.0 - along * along * along);
+#endif
 }
 
 // variation: from strand to strand.
@@ -277,11 +298,15 @@ LockSeen lockSeen(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 of
     float3 seen = lerp(offset, (kLockMean.y / kLockHeight) * height * looks.strand.normal, far);
     s.up = -strandsAxes(gFurDown, input);
     LockPoint p;
+#if TEGUMENT_FUR_CURVES
+    p.normal = curveNormal(looks.strand.normal, offset, tangent, coatThickness());
+#else
     p.normal = looks.strand.normal;
+#endif
     p.tangent = tangent;
     p.toEye = tgSafeNormalize(frame.toEye - offset);
     p.along = lerp(ribbon.along, kLockMean.x, far);
-    p.height = saturate(dot(seen, p.normal) / height);
+    p.height = saturate(dot(seen, looks.strand.normal) / height);
     p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, s.up), under, gCoatVariation * (1.0 - far));
     p.shift = kLockShift * looks.more.y;
     s.lit = p;

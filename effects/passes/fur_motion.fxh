@@ -75,7 +75,7 @@ RibbonVarying StrandsMotionVS(VertexInput input)
         RibbonPlace place = strandPlace(strand, frame, along);
         RootStrand before = strand;
         before.lean += strandsAxesBefore(furHang(), input) - strandsAxes(furHang(), input);
-        float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
+        float radius = strandRadius(strand, frame, along);
         output = ribbonMoved(input, frame, place, radius, strandPlace(before, frame, along).offset);
     }
     return output;

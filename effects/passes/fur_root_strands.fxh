@@ -22,6 +22,9 @@ struct RootStrand
     float share;   // of that height
     float radius;
     float tint;
+#if TEGUMENT_FUR_CURVES
+    float curve; // curveFirst
+#endif
 };
 
 RootStrand rootStrand(VertexInput input, float4 ball, float rows)
@@ -45,6 +48,9 @@ RootStrand rootStrand(VertexInput input, float4 ball, float rows)
     strand.across = cross(strand.normal, strand.side);
     strand.lean = lean.xyz - strand.normal * curl + strandsAxes(furHang(), input);
     strand.tint = 1.0 + gFurVariation * (random.z - 0.5);
+#if TEGUMENT_FUR_CURVES
+    strand.curve = curveFirst(input.uv.y);
+#endif
     return strand;
 }
 
@@ -84,9 +90,14 @@ float3 rootStrandLamps(RootStrand strand, float3 albedo, float3 axis, float heig
 // Radiance: as furStrandColor of fur_strands.fxh.
 float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, float along, VertexInput input)
 {
-    float height = along * strand.share;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, along) * strand.tint;
+#if TEGUMENT_FUR_CURVES
+    float height = saturate(dot(offset, strand.normal) / (strand.coat * frame.perMm));
+    float3 axis = curvePlace(strand.curve, along, 1.0).tangent;
+#else
+    float height = along * strand.share;
     float3 axis = tgFurAlong(strand.normal + 2.0 * height * strand.lean);
+#endif
     float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
     float3 world = ribbonWorld(frame, offset, input);
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
@@ -97,6 +108,12 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
                       rootStrandLamps(strand, albedo, axis, height, tgSafeNormalize(frame.toEye - offset), world, input));
 }
 
+#if TEGUMENT_FUR_CURVES
+RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
+{
+    return curvePlace(strand.curve, along, frame.perMm);
+}
+#else
 RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
 {
     float height = along * strand.share;
@@ -111,6 +128,17 @@ RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
     float few = strand.coat * strand.share * frame.perMm * rsqrt(dot(frame.toEye, frame.toEye)) / (kStrandFew * ribbonPixel());
     place.tangent += (kStrandChord * saturate(2.0 - few)) * (chord - place.tangent);
     return place;
+}
+#endif
+
+// As it is drawn: those that are stand for all.
+float strandRadius(RootStrand strand, RibbonFrame frame, float along)
+{
+#if TEGUMENT_FUR_CURVES
+    return curveRadius(strand.curve, along, frame.perMm) / gFurShare;
+#else
+    return strand.radius * frame.perMm * (1.0 - along) / gFurShare;
+#endif
 }
 
 // core: only where a part of the strand is wide enough for pass Core.
@@ -127,7 +155,7 @@ RibbonVarying strandVarying(VertexInput input, bool core)
         float along = tgRibbon(input.uv.x).along;
         RibbonPlace place = strandPlace(strand, frame, along);
         float3 color = rootStrandColor(strand, frame, place.offset, along, input);
-        float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
+        float radius = strandRadius(strand, frame, along);
         output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
     }
     return output;
@@ -144,7 +172,12 @@ RibbonVarying StrandsCoreVS(VertexInput input)
 }
 
 #define STRANDS_SHARE RIBBON_SHARE float SegmentFewest = 3.0;
-#define STRANDS_CORE STRANDS_SHARE string Least = "gRibbonThin"; string LeastSpacings = "gFurRadius"; float LeastTaper = 1.0;
+#if TEGUMENT_FUR_CURVES
+#define STRANDS_TAPER
+#else
+#define STRANDS_TAPER float LeastTaper = 1.0;
+#endif
+#define STRANDS_CORE STRANDS_SHARE string Least = "gRibbonThin"; string LeastSpacings = "gFurRadius"; STRANDS_TAPER
 #define STRANDS_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;" STRANDS_MOTION_SCRIPT
 #define STRANDS_PASSES(core, fringe, coreState) \

@@ -62,4 +62,13 @@ private:
     mutable std::map<std::size_t, std::string> unpacked_; // by buffer view
 };
 
+/// A mesh of the file as a node draws it.
+struct GltfPlace {
+    std::size_t mesh = 0;
+    glm::dmat4 matrix{1}; // to the world, times the unit
+};
+/// Of the default scene, one for each node or instance. TG5302 where nodes are no trees, TG5310 where they draw more than a mesh may hold.
+/// `warnings` gets what is ignored.
+[[nodiscard]] Result<std::vector<GltfPlace>> gltfPlaces(const GltfDocument& document, Mesh& warnings);
+
 } // namespace tegument::meshfile

@@ -26,8 +26,8 @@ bool parseWhole(std::string_view word, Number& number) {
 
 /// Statements that describe something other than polygons, and are passed over in silence.
 bool isIgnored(std::string_view keyword) {
-    static constexpr std::array<std::string_view, 11> kIgnored = {"s",   "l",          "p",         "vp",    "maplib", "usemap",
-                                                                  "lod", "shadow_obj", "trace_obj", "bevel", "mg"};
+    static constexpr std::array<std::string_view, 10> kIgnored = {"s",   "p",          "vp",        "maplib", "usemap",
+                                                                  "lod", "shadow_obj", "trace_obj", "bevel",  "mg"};
     return std::ranges::find(kIgnored, keyword) != kIgnored.end();
 }
 
@@ -83,6 +83,8 @@ private:
             readNormal(line);
         else if (keyword == "f" || keyword == "fo") // the latter is the name of before 1995
             readFace(line);
+        else if (keyword == "l")
+            readLine(line);
         else if (keyword == "o" || keyword == "g")
             startGroup(keyword, trim(line));
         else if (keyword == "usemtl")
@@ -167,6 +169,27 @@ private:
     void readNormal(std::string_view line) {
         const auto [x, y, z] = numbers<3>(line, 3);
         file_.normals.emplace_back(x, y, z);
+    }
+
+    /// A line that names what cannot be is left out: meshes are whole without lines.
+    void readLine(std::string_view line) {
+        const std::size_t first = file_.lineCorners.size();
+        for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
+            const std::size_t slash = std::min(word.find('/'), word.size());
+            const std::string_view uv = word.substr(std::min(slash + 1, word.size()));
+            const auto numbered = [](std::string_view text, std::size_t soFar) {
+                std::int64_t index = 0;
+                const std::int64_t from = parseWhole(text, index) && index < 0 ? static_cast<std::int64_t>(soFar) : -1;
+                return index != 0 && index + from >= 0 && index + from < static_cast<std::int64_t>(kMaxIndices)
+                           ? static_cast<std::uint32_t>(index + from)
+                           : ObjCorner::kNone;
+            };
+            file_.lineCorners.push_back(
+                {.position = numbered(word.substr(0, slash), file_.positions.size()), .uv = numbered(uv, file_.uvs.size())});
+            if (file_.lineCorners.back().position == ObjCorner::kNone) return file_.lineCorners.resize(first);
+        }
+        indexCount_ += file_.lineCorners.size() - first;
+        if (file_.lineCorners.size() > first) file_.firstOfLine.push_back(static_cast<std::uint32_t>(first));
     }
 
     /// "7", "7/2", "7//3", "7/2/3", each from 1, or negative: counted back from the latest. Nothing for a corner that refers to none.

@@ -48,6 +48,8 @@ struct ObjFile {
     std::vector<ObjCorner> corners;
     std::vector<Face> faces; // of any number of corners
     std::vector<ObjSection> sections;
+    std::vector<ObjCorner> lineCorners;         // of lines, one after the other
+    std::vector<std::uint32_t> firstOfLine;     // corner of each line that names what is there, or what may still come
     std::vector<std::string> libraries;         // of materials, as the file names them
     std::size_t badFaces = 0;                   // not among `faces`: they name an element before the first or beyond all that could be
     std::size_t absentUvs = 0;                  // corners that name texture coordinates which the file has not: they name none

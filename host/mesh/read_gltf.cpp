@@ -955,6 +955,15 @@ private:
 
 } // namespace
 
+Result<std::vector<GltfPlace>> gltfPlaces(const GltfDocument& document, Mesh& warnings) {
+    const auto draws = drawsOf(document, warnings);
+    if (!draws) return draws.error();
+    std::vector<GltfPlace> places;
+    for (const GltfDraw& draw : *draws)
+        places.push_back({.mesh = draw.mesh, .matrix = draw.carrier.matrix});
+    return places;
+}
+
 Result<ReadMesh> readGltf(const Source& source) {
     const auto document = GltfDocument::open(source);
     if (!document) return document.error();

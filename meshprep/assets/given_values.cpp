@@ -126,6 +126,7 @@ const std::vector<Switch>& switches() {
         {"TEGUMENT_FUR_COLOR_MAP", "fur has the colour of gFurColorMap"},
         {"TEGUMENT_FUR_VERTEX_LIGHT", "light of Fur at vertices: faster"},
         {"TEGUMENT_FUR_POSE", "FurCoat follows bodies that bend: --pose sets it"},
+        {"TEGUMENT_FUR_CURVES", "FurCoat and FurSkin draw strands that are curves: meshes of tegument fur import set it"},
         {"TEGUMENT_MOTION", "FurCoat writes motion vectors"},
         {"TEGUMENT_RIBBON_ROWS", "rows of the maps of fur by compute shaders", 1, kMostTexels},
         {"TEGUMENT_MAP_SIZE", "texels along each side of the texture-space maps: --map-size", 1, kMostTexels},

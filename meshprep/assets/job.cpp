@@ -17,6 +17,8 @@ namespace tegument::assets {
 
 namespace {
 
+constexpr const char* kCurves = "TEGUMENT_FUR_CURVES";
+
 /// The workspace that shows the effect when none is named.
 std::string usualWorkspace(const Effect& effect) {
     const auto named = effect.standardsGlobal ? effect.standardsGlobal->annotations.string("Workspace") : std::nullopt;
@@ -165,6 +167,12 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
     const auto notes = complete(options, *workspace, *effect);
     if (!notes) return notes.error();
     const LoadOptions before = std::exchange(*load, *loadOptions(options, sceneOptions.workspace));
+    const std::filesystem::path meshFile =
+        sceneOptions.mesh.empty() ? workspace->file.parent_path() / workspace->meshPath : std::filesystem::path(sceneOptions.mesh);
+    const bool curves = curvesBeside(meshFile).has_value();
+    if (curves && takesSwitches(*effect) &&
+        std::ranges::find(load->defines, kCurves, &std::pair<std::string, std::string>::first) == load->defines.end())
+        load->defines.emplace_back(kCurves, "1");
     if (load->defines != before.defines || load->setting != before.setting) effect = loadEffect(*file, *load);
     if (!effect) return effect.error();
     const std::vector<std::string>& sets = options.sets;
@@ -218,9 +226,7 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
     job.run.assets = meshAssets(say);
     setFurMapParameters(job.effect, job.run, job.scene);
-    const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
-                                                                 : std::filesystem::path(sceneOptions.mesh);
-    if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh); !grown) return grown.error();
+    if (const auto grown = growStrands(job.effect, job.run, job.scene, meshFile); !grown) return grown.error();
     if (const auto posed = poseStrands(job.effect, job.run, job.scene); !posed) return posed.error();
     return job;
 }

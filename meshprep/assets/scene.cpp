@@ -58,7 +58,15 @@ glm::vec3 aboutVertical(const glm::vec3& v, double degrees) {
 }
 
 /// Seen from the right and a little above, with the usual light turned to the mesh's up.
-void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
+void frame(const SceneOptions& options, const Mesh& skin, Workspace& workspace) {
+    Mesh mesh;
+    mesh.positions = skin.positions;
+    mesh.bounds = skin.bounds;
+    if (const auto curves = curvesBeside(options.mesh)) { // which reach beyond the skin
+        for (int i = 0; i < 8; ++i)
+            mesh.positions.push_back(glm::mix(curves->low, curves->high, glm::vec3(i & 1, i >> 1 & 1, i >> 2 & 1)));
+        computeBounds(mesh);
+    }
     constexpr glm::vec3 kDirection(0.38F, 0.2F, 0.9F);
     constexpr float kFov = 25;
     const UpAxis up = upOf(options);

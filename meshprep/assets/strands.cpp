@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRoots = "gFurRootsMap";
+constexpr double kReachInLengths = 4; // of the coat, that strands may be away from their roots: the effects' ReachScale
+constexpr double kCurveSegment = 1.5; // pixels of a quarter of a curve: 6 of its segments
 constexpr const char* kPose = "gFurPoseMap";
 constexpr const char* kPoseBefore = "gFurPoseBeforeMap";
 
@@ -75,6 +77,30 @@ void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, con
     if (scene.objects.empty()) scene.workspace.textures[parameter] = path;
 }
 
+/// What the effect's parameters are where strands are curves, unless they are given: lengths, widths and colours are the curves', and every
+/// root has one strand.
+void suitCurves(const RootHeader& curves, const Effect& effect, const RunOptions& options, Scene& scene) {
+    const double radius = curves.ballRadius;
+    const std::pair<const char*, double> values[] = {{"gFurLength", curves.farthest / (kReachInLengths * radius)},
+                                                     {"gFurRadius", curves.widest * std::sqrt(curves.density)},
+                                                     {"gCoatRadius", curves.widest / radius},
+                                                     {"gCoatChildren", 1},
+                                                     {"gCoatShadowStrands", 1},
+                                                     {"gCoatUnderfur", 0},
+                                                     {"gCoatUndercoat", 0},
+                                                     {"gCoatGuard", 0},
+                                                     {"gCoatPainted", curves.painted ? 1 : 0},
+                                                     {"gCoatSegment", kCurveSegment},
+                                                     {"gRibbonSegment", kCurveSegment}};
+    for (const auto& [name, value] : values) {
+        if (!effect.findParameter(name) || options.parameters.contains(name)) continue;
+        if (scene.isOwn)
+            scene.workspace.parameters[name] = {value};
+        else
+            scene.workspace.parameters.try_emplace(name, std::vector<double>{value});
+    }
+}
+
 /// Into the cache: a texture has a name.
 Result<void> givePose(const char* parameter, Image image, Scene& scene) {
     const std::string name = "pose_" + CacheKey("pose 1").add(image.pixels).text();
@@ -98,6 +124,14 @@ Result<Image> loadRoots(const std::string& file, const Mesh& mesh) {
     return roots;
 }
 
+std::optional<RootHeader> curvesBeside(const fs::path& meshFile) {
+    const fs::path beside = fs::path(meshFile).replace_extension(".dds");
+    if (std::error_code code; meshFile.extension() != ".glb" || !fs::is_regular_file(beside, code)) return std::nullopt;
+    const auto texture = loadDds(beside);
+    const auto header = texture ? rootHeader(texture->images.front()) : std::nullopt;
+    return header && header->curvePoints > 0 ? header : std::nullopt;
+}
+
 Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene& scene, const fs::path& meshFile) {
     const Parameter* roots = rootsOf(effect);
     if (!roots || (!run::drawsPart(effect, kStrandsPart) && !run::drawsPart(effect, kUnderfurPart))) return {};
@@ -108,6 +142,7 @@ Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene&
             const fs::path beside = fs::path(meshFile).replace_extension(".dds");
             if (std::error_code code; !workspace.textures.contains(roots->name) && fs::is_regular_file(beside, code))
                 nameRoots(scene, mesh, roots->name, beside);
+            if (const auto curves = curvesBeside(meshFile)) suitCurves(*curves, effect, options, scene);
             continue;
         }
         const auto file = rootsFile(*roots, options, workspace, mesh);

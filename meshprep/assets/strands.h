@@ -3,6 +3,7 @@
 
 #include "meshprep/assets/generators.h"
 #include "meshprep/assets/scene.h"
+#include "meshprep/fur/roots/root_texture.h"
 
 #include <filesystem>
 
@@ -10,6 +11,9 @@ namespace tegument::assets {
 
 /// Roots from a file for this mesh. TG4055: they were made for another one.
 [[nodiscard]] Result<Image> loadRoots(const std::string& file, const Mesh& mesh);
+
+/// Roots beside a mesh with strands that are curves: the mesh of `tegument fur import`. Nothing for others.
+[[nodiscard]] std::optional<RootHeader> curvesBeside(const std::filesystem::path& meshFile);
 
 /// Gives meshes the part "strands" where a pass of the effect draws it and they have none: from the roots that the scene names, or that
 /// are made for them (generators.h). A mesh with strands gets the roots of its name that lie beside it, where nothing names others.

@@ -113,6 +113,31 @@ def images(repository):
     return files
 
 
+def grooms(repository):
+    """A byte for the format, and a file of it: by hand, and what the release build writes, where there is one."""
+    hair = b"HAIR" + struct.pack("<4I", 2, 5, 31, 0) + bytes(108) + struct.pack("<2H", 2, 1) + struct.pack("<40f", *range(40))
+    tfx = struct.pack("<f8I", 4, 2, 4, 160, 288, 0, 304, 0, 0) + bytes(124) + struct.pack("<38f", *range(38))
+    usda = (b'#usda 1.0\n(\n metersPerUnit = 0.1 upAxis = "Z"\n)\ndef Xform "a" {\n double3 xformOp:translate = (1, 2, 3)\n'
+            b' uniform token[] xformOpOrder = ["xformOp:translate"]\n def BasisCurves "b" (prepend apiSchemas = ["x"]) {\n'
+            b'  uniform token type = "cubic"\n  uniform token basis = "bspline"\n  uniform token wrap = "pinned"\n  int[] curveVertexCounts = [4]\n'
+            b'  point3f[] points.timeSamples = { 1: [(0,0,0), (1,0,0), (2,0,0), (3,1,0)], 2: [(0,0,9), (1,0,9), (2,0,9), (3,1,9)] }\n'
+            b'  float[] widths = [0.5] (interpolation = "constant")\n }\n}\n')
+    line = glb({"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"mode": 3, "attributes": {"POSITION": 0}}]}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+                "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36}]}, b"".join(struct.pack("<3f", *p) for p in PLACES))
+    obj = b"v 0 0 0\nv 1 0 0 1 0 0\nv 2 1 0\nvt 0 1\nl 1/1 2 3\nl -1 -2\n"
+    ply = (b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float width\nelement edge 2\n"
+           b"property int vertex1\nproperty int vertex2\nend_header\n0 0 0 1\n1 0 0 1\n2 1 0 1\n1 2\n0 1\n")
+    files = [bytes([0]) + hair, bytes([1]) + tfx, bytes([3]) + usda, bytes([4]) + line, bytes([5]) + obj, bytes([6]) + ply]
+    program, out = repository / "build/release/tegument", repository / "build/fuzz"
+    for number, ending in enumerate(("hair", "tfx", "abc", "usda", "glb", "obj", "ply")):
+        (out / "seed.usda").write_bytes(usda)
+        if program.exists() and subprocess.run([program, "fur", "export", out / "seed.usda", "-o", out / f"groom.{ending}"], capture_output=True,
+                                               check=False).returncode == 0:
+            files.append(bytes([number]) + (out / f"groom.{ending}").read_bytes())
+    return files
+
+
 def made(name, repository):
     return {
         "fuzz_ply": plys, "fuzz_stl": stls, "fuzz_gltf": gltfs,
@@ -124,6 +149,7 @@ def made(name, repository):
         "manifest_fuzz": lambda: [json.dumps(MANIFEST).encode(), b"[1e3, -0.5, true, null, \"\\u00e4\\n\", {\"a\": {}}]"],
         "fuzz_off": lambda: [b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", b"COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2 255 0 0\n"],
         "fuzz_image": lambda: images(repository),
+        "groom_fuzz": lambda: grooms(repository),
         "presets_fuzz": lambda: [file.read_bytes() for file in sorted((repository / "effects").glob("*.presets.json"))],
         "prep_fuzz": lambda: [bytes([choices, 5] + list(range(90))) for choices in range(0, 256, 17)],
     }.get(name, list)()

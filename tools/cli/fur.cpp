@@ -16,6 +16,7 @@
 #include "meshprep/fur/strand_statistics.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/commands.h"
+#include "tools/cli/fur_groom.h"
 #include "tools/cli/fur_roots.h"
 #include "tools/cli/output.h"
 
@@ -516,9 +517,11 @@ void addFur(CLI::App& program, Action& action) {
     addFurRoots(*command, action);
     addFurStrands(*command, action);
     addFurPose(*command, action);
+    addFurGroom(*command, action);
     addExamples(*command, {{"fur texture -o out/fur", "maps of fur for shells"},
                            {"fur roots bunny.glb -o out/fur/bunny_roots.dds", "strands on the mesh itself"},
-                           {"fur strands bunny.glb -o out/fur/bunny_strands.glb", "the same as ribbons, many times as fast"}});
+                           {"fur strands bunny.glb -o out/fur/bunny_strands.glb", "the same as ribbons, many times as fast"},
+                           {"fur import hair.abc --mesh head.glb -o out/fur/hair.glb", "strands of another program"}});
 }
 
 } // namespace tegument::app

@@ -5,6 +5,7 @@
 #include "host/support/kept_inputs.h"
 #include "host/support/text.h"
 #include "meshprep/assets/picture.h"
+#include "meshprep/groom/groom_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,11 +47,23 @@ namespace {
 
 bool saidThatInputsAreKept = false;
 
+/// What is no mesh may be a groom.
+Error withWayOfGrooms(Error error) {
+    Diagnostic& first = error.diagnostics.front();
+    if (first.code != 5300 && first.code != 5306) return error;
+    const std::string file = first.at.file.empty() ? "FILE" : shellWord(first.at.file);
+    if (first.code == 5300 && isGroom(first.at.file))
+        first.hint = fmt::format("a groom, not a mesh: tegument fur import {} --mesh SKIN -o NEW.glb", file);
+    else if (first.code == 5306 && isGroom(first.at.file))
+        first.hint += fmt::format("; lines that are strands: tegument fur import {} --mesh SKIN -o NEW.glb", file);
+    return error;
+}
+
 } // namespace
 
 int fail(const Error& given, bool json) {
     const auto kept = inputsAreKept(); // a reader takes a file that is to be written for one that is not there
-    const Error& error = kept ? given : kept.error();
+    const Error error = withWayOfGrooms(kept ? given : kept.error());
     if (!kept && saidThatInputsAreKept) return static_cast<int>(error.blame);
     saidThatInputsAreKept = saidThatInputsAreKept || !kept;
     if (json) print({{"diagnostics", toJson(error.diagnostics)}});
@@ -85,7 +98,9 @@ bool isOurs(const std::filesystem::path& path) {
 void warnOfForeign(const std::filesystem::path& path) {
     const MeshFormat* mesh = meshFormatOf(path);
     std::error_code code;
-    if (!(assets::isPicture(path) || (mesh && mesh->write)) || !std::filesystem::is_regular_file(path, code) || isOurs(path)) return;
+    if (!(assets::isPicture(path) || (mesh && mesh->write) || isGroom(path)) || !std::filesystem::is_regular_file(path, code) ||
+        isOurs(path))
+        return;
     Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028};
     diagnostic.text = fmt::format("{} was not written by Tegument, and is replaced", path.string());
     diagnostic.hint = "the next release will refuse that without --force";

@@ -28,6 +28,14 @@ std::vector<float> rowsOf(int segments) {
     return rows;
 }
 
+/// One at each point of a curve, which a shader finds from its place: places are whole steps, and points are no closer than these.
+std::vector<float> rowsOf(const RibbonCurves& curves) {
+    std::vector<float> rows;
+    for (std::size_t i = 0; i < curves.points; ++i)
+        rows.push_back(std::round(kRows * static_cast<float>(i) / static_cast<float>(curves.points - 1)));
+    return rows;
+}
+
 Result<void> check(const Mesh& mesh, const RibbonOptions& options) {
     if (options.segments < 1 || options.segments > kMostSegments)
         return usageError(7103, fmt::format("a ribbon of {} segments", options.segments), fmt::format("use 1 to {}", kMostSegments));
@@ -52,6 +60,15 @@ struct Looks {
 glm::vec3 colorAt(const FurMap& map, bool encoded, const FurSurface& surface, const SurfacePoint& point) {
     const glm::vec3 stored(map.at(surface, point));
     return encoded ? glm::vec3(srgbToLinear(stored.x), srgbToLinear(stored.y), srgbToLinear(stored.z)) : stored;
+}
+
+Looks looksOf(const RootedMesh& rooted, const RibbonCurves& curves) {
+    Looks looks{.shortness = std::vector<float>(rooted.roots.size(), 0.0F)};
+    for (const RootedPlace& root : rooted.roots) {
+        looks.direction.push_back(curves.direction[root.number]);
+        looks.color.push_back(curves.color[root.number]);
+    }
+    return looks;
 }
 
 Looks looksOf(const RootedMesh& rooted, const RibbonOptions& options, glm::dvec3& comb) {
@@ -102,8 +119,9 @@ void fillSkin(Mesh& mesh) {
 
 class RibbonWriter {
 public:
-    RibbonWriter(Mesh& mesh, const RootedMesh& rooted, const Looks& looks, int segments)
-        : mesh_(mesh), rooted_(rooted), looks_(looks), rows_(rowsOf(segments)), firstVertex_(mesh.positions.size()) {}
+    RibbonWriter(Mesh& mesh, const RootedMesh& rooted, const Looks& looks, const RibbonOptions& options)
+        : mesh_(mesh), rooted_(rooted), looks_(looks), rows_(options.curves ? rowsOf(*options.curves) : rowsOf(options.segments)),
+          underfurStep_(options.curves ? 1 : 2), firstVertex_(mesh.positions.size()) {}
 
     /// Of a ribbon: two at its tip as well, for no ribbon is drawn narrower than a pixel.
     [[nodiscard]] std::size_t vertices() const { return 2 * rows_.size(); }
@@ -123,7 +141,7 @@ public:
                 writeVertices(i, firstVertex_ + i * vertices());
         });
         addPart(kStrandsPart, strands, everyRow(1), cluster, threads);
-        addPart(kUnderfurPart, strands, everyRow(2), cluster, threads);
+        addPart(kUnderfurPart, strands, everyRow(underfurStep_), cluster, threads);
     }
 
 private:
@@ -181,6 +199,7 @@ private:
     const RootedMesh& rooted_;
     const Looks& looks_;
     std::vector<float> rows_;
+    std::size_t underfurStep_;
     std::size_t firstVertex_;
 };
 
@@ -262,9 +281,9 @@ Result<RibbonFigures> addRibbons(Mesh& mesh, const Image& roots, const RibbonOpt
     RibbonFigures figures;
     const auto rooted = readRooted(mesh, roots, options.threads);
     if (!rooted) return rooted.error();
-    const Looks looks = looksOf(*rooted, options, figures.comb);
+    const Looks looks = options.curves ? looksOf(*rooted, *options.curves) : looksOf(*rooted, options, figures.comb);
     fillSkin(mesh);
-    RibbonWriter writer(mesh, *rooted, looks, options.segments);
+    RibbonWriter writer(mesh, *rooted, looks, options);
     writer.write(options.cluster, options.threads);
     const MeshPart& part = *std::ranges::find(mesh.parts, kStrandsPart, &MeshPart::name);
     figures.strands = rooted->roots.size();

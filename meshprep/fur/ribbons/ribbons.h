@@ -8,10 +8,19 @@
 
 namespace tegument {
 
+/// Strands that are curves, of which the texture of roots holds the points (docs/design/grooms.md).
+struct RibbonCurves {
+    std::size_t points = 0;           // of each, 2 to kMostCurvePoints: a row of the ribbon stands at every one
+    std::vector<glm::vec3> direction; // of each root, by its number: where its strand lies, as of FlowOptions::told
+    std::vector<glm::vec3> color;     // likewise: linear albedo
+};
+inline constexpr std::size_t kMostCurvePoints = 32;
+
 struct RibbonOptions {
-    int segments = 6;               // of a ribbon, 1 to kMostSegments
-    std::size_t cluster = 256;      // roots of one
-    std::optional<glm::dvec3> comb; // as FlowOptions
+    int segments = 6;                     // of a ribbon, 1 to kMostSegments
+    const RibbonCurves* curves = nullptr; // in place of segments, flow, colours and regions
+    std::size_t cluster = 256;            // roots of one
+    std::optional<glm::dvec3> comb;       // as FlowOptions
     glm::dvec3 down{0, -1, 0};
     std::optional<FurMap> flowMap;   // directions, as of `tegument fur roots`: in place of the comb
     bool encoded = false;            // the colour map holds sRGB

@@ -43,7 +43,8 @@ Result<RootedMesh> readRooted(const Mesh& mesh, const Image& texture, unsigned t
             const Root root = rootAt(texture, i);
             rooted.roots[i] = {.position = (root.position - glm::vec3(header->centre)) / radius,
                                .normal = root.normal,
-                               .address = static_cast<float>(header->addressOf(i))};
+                               .address = static_cast<float>(header->addressOf(i)),
+                               .number = static_cast<std::uint32_t>(i)};
         }
     });
     std::erase_if(rooted.roots, [](const RootedPlace& root) { return !usable(root); });

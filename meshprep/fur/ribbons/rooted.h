@@ -14,7 +14,8 @@ namespace tegument {
 struct RootedPlace {
     glm::vec3 position{0};
     glm::vec3 normal{0, 0, 1};
-    float address = 0; // of its texels
+    float address = 0;        // of its texels
+    std::uint32_t number = 0; // in their order
 };
 
 struct RootedMesh {

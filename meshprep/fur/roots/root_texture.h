@@ -42,6 +42,14 @@ struct RootHeader {
     double density = 0;        // full, roots per mm^2
     glm::dvec3 centre{0};      // of the mesh's ball, mm
     double ballRadius = 0;
+    // Of strands that are curves (docs/design/grooms.md); 0 where they are not.
+    std::size_t firstPoint = 0;  // address: a texel for each point, from the root on: how far from the root, mm; radius, mm
+    std::size_t curvePoints = 0; // of each strand
+    double farthest = 0;         // from its root, mm
+    double widest = 0;           // radius, mm
+    bool painted = false;        // the strands' vertices hold colours
+    glm::vec3 low{0};            // of all points
+    glm::vec3 high{0};
 
     [[nodiscard]] std::size_t addressOf(std::size_t number) const;
 };

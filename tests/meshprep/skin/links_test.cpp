@@ -126,7 +126,7 @@ TEST(SkinLinks, TheBorderOfLightIsAsWideAsTheGaussianThoughSourcesAreWide) {
 // Across a gap nothing is interpolated: what a receiver's side takes from the Gaussian in its plane it must not take there.
 TEST(SkinLinks, LightDiesAwayAcrossAGapAsTheGaussianDoesHoweverWideTheReceiver) {
     constexpr double kApart = 2.5;                   // mm
-    constexpr double kShare = 0.2;                  // of the map's side: what lies farther from the middle brings nothing
+    constexpr double kShare = 0.2;                   // of the map's side: what lies farther from the middle brings nothing
     for (const double side : {45.0, 150.0, 300.0}) { // mm in .45 of it: receivers of 0.4, 1.3 and 2.6 mm
         Mesh sheets;
         addSheet(sheets, side * kShare / 0.45, 0, {0.02, 0.02}, kShare);

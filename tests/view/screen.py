@@ -149,6 +149,7 @@ class Screen:
         for code in reversed(codes):
             xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
+        time.sleep(0.03)  # GLFW takes a key that comes again within 20 ms for one that is held
 
     def answer(self, kind, seconds):
         """The next event of this kind that is for a window of ours."""

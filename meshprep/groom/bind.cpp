@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 
 namespace tegument {
 
@@ -240,7 +241,9 @@ Result<Image> bindGroom(Mesh& mesh, Groom groom, const BindOptions& options, Bou
     }
     computeBounds(ball);
     mesh.bounds = ball.bounds;
-    const double density = static_cast<double>(strands) / std::max(skin.area(), 1e-20);
+    // Of strands that stand alone: on a thousandth of the ball around them, as if that were their skin.
+    const double ballArea = 4 * std::numbers::pi * mesh.bounds.radius * mesh.bounds.radius;
+    const double density = static_cast<double>(strands) / std::max(skin.area(), std::max(1e-3 * ballArea, 1e-20));
     Image image = texture.take();
     Texture header(1);
     header.put(2, {static_cast<float>(image.height), 0, static_cast<float>(strands)}, 1);

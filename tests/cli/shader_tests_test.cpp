@@ -228,6 +228,19 @@ TG_PIXEL_TEST(derivatives)
                      {"--validate"}));
 }
 
+TEST(ShaderTests, FixtureOfWhatIsNotDeclaredOrWithoutItsSemicolonIsSaid) {
+    const std::string test = "TG_TEST(map) { tgTrue(gMap.Load(int3(0, 0, 0)).r > 0); }\n";
+    for (const std::string compiler : {"dxc", "glslang"}) {
+        const Ran ran =
+            tegument({"test", write("undeclared.test.hlsl", "tgTexture(gMap, 2, 1, { 1, 1 });\n" + test), "--compiler", compiler});
+        EXPECT_EQ(ran.code, 1);
+        EXPECT_NE(ran.err.find("Texture2D gMap;"), std::string::npos) << ran.err;
+    }
+    const Ran open = tegument({"test", write("open.test.hlsl", "Texture2D gMap;\ntgTexture(gMap, 2, 1, { 1, 1 })\n" + test)});
+    EXPECT_EQ(open.code, 1);
+    EXPECT_NE(open.err.find("open.test.hlsl(2,31): error TG8203: a fixture ends with a semicolon"), std::string::npos) << open.err;
+}
+
 TEST(ShaderTests, WhatHasNoFixtureIsNamed) {
     expectSaid(run("bare.test.hlsl", "Texture2D gMap;\nTG_TEST(t) { tgEqual(gMap.Load(int3(0, 0, 0)).x, 0); }\n"), kInput,
                {"TG8205", "(2,1)", "gMap", "tgTexture(gMap"});

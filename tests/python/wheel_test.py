@@ -2,6 +2,8 @@
 """The installed Python module, as a user has it: ./bootstrap wheel runs this in an environment of its own."""
 
 import pathlib
+import subprocess
+import sys
 import tempfile
 import threading
 import unittest
@@ -97,6 +99,13 @@ class Wheel(unittest.TestCase):
         path = self.folder / "plain.obj"
         path.write_text("v 0 0 0\nv 90 0 0\nv 0 90 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n", encoding="utf-8")
         return path
+
+    def test_unit_tests_of_shaders_run(self):
+        tests = self.folder / "my.test.hlsl"
+        for value, code in ((2, 0), (3, 1)):
+            tests.write_text("TG_TEST(sum) { float x = tgCases(1, 1); tgEqual(x + x, %d); }\n" % value, encoding="utf-8")
+            ran = subprocess.run([sys.executable, "-m", "tegument", "test", tests], capture_output=True, text=True, check=False)
+            self.assertEqual(ran.returncode, code, ran.stdout + ran.stderr)
 
     def test_bytes_to_look_at(self):
         shown = tegument.to_srgb(np.float32([[[0, 0.18, 1e9, 1]]]))

@@ -179,7 +179,7 @@ private:
                 i = test(i);
                 head = i;
             } else if (i == head && isFixture(tokens_[i].text) && is(i + 1, '(')) {
-                shared_.push_back(reader_.fixture(tokens_, closing_, i));
+                shared_.push_back(fixture(i));
                 i = behindStatement(i);
                 head = i;
             } else if (is(i, '{')) {
@@ -289,6 +289,12 @@ private:
     }
 
     /// Behind the semicolon, which may be missing at the end of a block: the compiler says so.
+    [[nodiscard]] Fixture fixture(std::size_t i) const {
+        const std::size_t end = closing_[i + 1];
+        if (!is(end + 1, ';')) fail(8203, tokens_[end], "a fixture ends with a semicolon", "write ';' behind this");
+        return reader_.fixture(tokens_, closing_, i);
+    }
+
     [[nodiscard]] std::size_t behindStatement(std::size_t i) const {
         while (i < tokens_.size() && !is(i, ';') && !is(i, '}'))
             i = is(i, '(') || is(i, '[') || is(i, '{') ? closing_[i] + 1 : i + 1;
@@ -395,7 +401,7 @@ private:
         const std::size_t semicolon = is(end - 1, ';') ? end - 1 : end;
         if (isFixture(tokens_[i].text) && is(i + 1, '(')) {
             if (test_ == nullptr) fail(8203, tokens_[i], "a fixture stands in a test, or outside of functions");
-            test_->fixtures.push_back(reader_.fixture(tokens_, closing_, i));
+            test_->fixtures.push_back(fixture(i));
             return end;
         }
         if (calls(i, "tgExpectFailure")) {

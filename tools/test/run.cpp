@@ -41,7 +41,14 @@ Result<Shader> compiled(const TestFile& file, const std::string& entry, ShaderSt
     auto shader = compileShader({.code = file.code, .file = file.path.string(), .entry = entry, .stage = stage, .apart = true}, compiler);
     if (shader) return shader;
     Error error = shader.error();
-    std::ranges::for_each(error.diagnostics, quoteSource);
+    for (Diagnostic& message : error.diagnostics) {
+        quoteSource(message);
+        for (const Test& test : file.tests)
+            for (const Fixture& fixture : test.fixtures)
+                if (message.text.find("undeclared identifier '" + fixture.name + "'") != std::string::npos ||
+                    message.text.find("'" + fixture.name + "' : unknown variable") != std::string::npos)
+                    message.hint = fmt::format("a fixture gives values to what HLSL declares: Texture2D {}; or what it is", fixture.name);
+    }
     return error;
 }
 

@@ -1,0 +1,8 @@
+"""`python -m tegument ARGUMENTS`: the program that the wheel brings, with its exit code."""
+
+import subprocess
+import sys
+
+from . import _PROGRAM
+
+sys.exit(subprocess.run([_PROGRAM, *sys.argv[1:]], check=False).returncode)

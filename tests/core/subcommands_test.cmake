@@ -1,5 +1,5 @@
 # The program without the laboratory: what it offers, and that it says so of what it lacks.
-set(expected batch check compare flatten fur help info list portrait prep render sheet survey view)
+set(expected batch check compare flatten fur help info list portrait prep render sheet survey test view)
 
 execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help ERROR_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCH "Subcommands:\n(  [^\n]*\n)+" listed "${help}")

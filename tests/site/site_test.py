@@ -90,7 +90,7 @@ class Site(unittest.TestCase):
         self.keep("site_search")
         first = self.browser.evaluate("document.querySelector('#found a').href")
         self.assertTrue(first.startswith("file://") and pathlib.Path(first[7:]).exists(), first)
-        self.assertIn("many.html", self.browser.evaluate("[...document.querySelectorAll('#found a')].map(a => a.href).join()"))
+        self.assertIn("command-line.html", self.browser.evaluate("[...document.querySelectorAll('#found a')].map(a => a.href).join()"))
         self.browser.type(" nowordlikethis")
         self.assertEqual(self.browser.evaluate("document.getElementById('found').textContent"), "nothing found")
 

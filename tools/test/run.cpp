@@ -46,7 +46,7 @@ Result<Shader> compiled(const TestFile& file, const std::string& entry, ShaderSt
         for (const Test& test : file.tests)
             for (const Fixture& fixture : test.fixtures)
                 if (message.text.find("undeclared identifier '" + fixture.name + "'") != std::string::npos ||
-                    message.text.find("'" + fixture.name + "' : unknown variable") != std::string::npos)
+                    message.text.find("unknown variable '" + fixture.name + "'") != std::string::npos)
                     message.hint = fmt::format("a fixture gives values to what HLSL declares: Texture2D {}; or what it is", fixture.name);
     }
     return error;

@@ -3,6 +3,7 @@
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
 #include "host/support/temporary.h"
+#include "host/support/text.h"
 #include "lab/app/bench_page.h"
 #include "lab/app/commands.h"
 #include "lab/bench/choice.h"
@@ -229,8 +230,17 @@ std::string figuresOf(const std::vector<bench::Row>& rows, std::size_t index) {
     return text;
 }
 
-/// For each scene its own choice; the worst exit code. `asked`: what was named may be chosen, whatever it claims.
-int pickForEachScene(const BenchArguments& arguments, bool asked, const std::vector<bench::Row>& rows) {
+/// Whether the command line names the row's technique.
+bool isNamed(const BenchArguments& arguments, const bench::Row& row) {
+    return std::ranges::any_of(arguments.techniques, [&](const std::string& name) {
+        return equalsIgnoreCase(name, row.contender.technique) || equalsIgnoreCase(name, row.contender.name());
+    });
+}
+
+/// For each scene its own choice; the worst exit code. No diffusion may be chosen where it is named.
+int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
+    const bool asked = std::ranges::any_of(
+        rows, [&](const bench::Row& row) { return row.contender.claim == bench::Claim::Delta && isNamed(arguments, row); });
     bench::Limit limit{.error = {}, .milliseconds = {}, .withoutDiffusion = asked};
     if (arguments.maxError > 0) limit.error = arguments.maxError;
     if (arguments.maxMs > 0) limit.milliseconds = arguments.maxMs;
@@ -274,7 +284,7 @@ Result<int> report(const BenchArguments& arguments, const std::vector<bench::Row
         if (const auto written = writeTo(arguments.json, bench::toJson(rows, machine)); !written) return written.error();
     if (!arguments.csv.empty())
         if (const auto written = writeTo(arguments.csv, bench::toCsv(rows, machine)); !written) return written.error();
-    return arguments.pick ? pickForEachScene(arguments, !arguments.techniques.empty(), rows) : 0;
+    return arguments.pick ? pickForEachScene(arguments, rows) : 0;
 }
 
 constexpr const char* kPlotScript = "lab/bench/plot.py";

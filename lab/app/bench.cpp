@@ -3,7 +3,6 @@
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
 #include "host/support/temporary.h"
-#include "host/support/text.h"
 #include "lab/app/bench_page.h"
 #include "lab/app/commands.h"
 #include "lab/bench/choice.h"
@@ -230,17 +229,12 @@ std::string figuresOf(const std::vector<bench::Row>& rows, std::size_t index) {
     return text;
 }
 
-/// Whether the command line names the row's technique.
-bool isNamed(const BenchArguments& arguments, const bench::Row& row) {
-    return std::ranges::any_of(arguments.techniques, [&](const std::string& name) {
-        return equalsIgnoreCase(name, row.contender.technique) || equalsIgnoreCase(name, row.contender.name());
-    });
-}
-
 /// For each scene its own choice; the worst exit code. No diffusion may be chosen where it is named.
 int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
-    const bool asked = std::ranges::any_of(
-        rows, [&](const bench::Row& row) { return row.contender.claim == bench::Claim::Delta && isNamed(arguments, row); });
+    const bool asked = std::ranges::any_of(rows, [&](const bench::Row& row) {
+        return row.contender.claim == bench::Claim::Delta &&
+               std::ranges::any_of(arguments.techniques, [&](const std::string& name) { return row.contender.isCalled(name); });
+    });
     bench::Limit limit{.error = {}, .milliseconds = {}, .withoutDiffusion = asked};
     if (arguments.maxError > 0) limit.error = arguments.maxError;
     if (arguments.maxMs > 0) limit.milliseconds = arguments.maxMs;

@@ -108,10 +108,6 @@ std::optional<std::string> readEntry(const Json& entry, const fs::path& folder, 
     return std::nullopt;
 }
 
-bool names(const std::string& wanted, const Contender& contender) {
-    return equalsIgnoreCase(wanted, contender.technique) || equalsIgnoreCase(wanted, contender.name());
-}
-
 template <class Matches>
 Result<void> everyNameChooses(const char* option, const std::vector<std::string>& wanted, const std::vector<std::string>& known,
                               const std::vector<Contender>& contenders, Matches matches) {
@@ -127,6 +123,10 @@ std::string Contender::ownDefinition() const {
     if (claim == Claim::Delta) return "no diffusion";
     if (claim == Claim::Burley) return fmt::format("normalised diffusion, d = {}, {}, {} mm", burley[0], burley[1], burley[2]);
     return {};
+}
+
+bool Contender::isCalled(const std::string& wanted) const {
+    return equalsIgnoreCase(wanted, technique) || equalsIgnoreCase(wanted, name());
 }
 
 Result<std::vector<Contender>> loadCatalogue(const fs::path& file) {
@@ -149,6 +149,7 @@ Result<std::vector<Contender>> choose(const std::vector<Contender>& contenders, 
         knownTechniques.push_back(contender.technique);
         knownSettings.push_back(contender.setting);
     }
+    const auto names = [](const std::string& wanted, const Contender& contender) { return contender.isCalled(wanted); };
     const auto sets = [](const std::string& wanted, const Contender& contender) { return equalsIgnoreCase(wanted, contender.setting); };
     if (auto all = everyNameChooses("--technique", techniques, knownTechniques, contenders, names); !all) return all.error();
     if (auto all = everyNameChooses("--setting", settings, knownSettings, contenders, sets); !all) return all.error();

@@ -38,6 +38,8 @@ struct Contender {
     [[nodiscard]] std::string ownDefinition() const;
     /// "SeparableSSS, 17 samples"
     [[nodiscard]] std::string name() const { return variant.empty() ? technique : technique + ", " + variant; }
+    /// By the technique or by its name here, ignoring case.
+    [[nodiscard]] bool isCalled(const std::string& wanted) const;
 };
 
 /// TG8070 where the file does not hold what docs/bench.md describes.

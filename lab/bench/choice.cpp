@@ -17,8 +17,8 @@ double milliseconds(const Row& row) {
     return row.drawn.milliseconds.median;
 }
 
-/// Whether a row's time is the fastest's but for their spread, or for what is no gain. Half the frames lie between the quartiles; where
-/// they are far apart the machine does something else besides, and medians still tell a quarter from nothing.
+/// Whether a row's time is the fastest's but for what is no gain, or for their spread: the range of the middle half of the frames, which on
+/// a busy machine counts up to a quarter of the time.
 bool isAsFast(const Row& row, const Row& fastest) {
     constexpr double kNoGain = 0.05;
     constexpr double kMost = 0.25;

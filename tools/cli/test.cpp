@@ -119,7 +119,9 @@ std::string summary(const std::vector<FileResult>& results, double seconds) {
             passed += test.passed() ? 1 : 0;
             assertions += test.assertions;
         }
-    return fmt::format("{} passed, {} failed; {} assertions in {:.1f} s\n", passed, all - passed, assertions, seconds);
+    const auto unread = std::ranges::count_if(results, [](const FileResult& file) { return !file.read; });
+    const std::string files = unread > 0 ? fmt::format(", {} not read", unread == 1 ? "1 file" : fmt::format("{} files", unread)) : "";
+    return fmt::format("{} passed, {} failed{}; {} assertions in {:.1f} s\n", passed, all - passed, files, assertions, seconds);
 }
 
 void printResults(const std::vector<FileResult>& results, const TestArguments& arguments) {

@@ -541,7 +541,7 @@ public:
             describe();
             return std::move(result_);
         }
-        return Error{Blame::Input, {*failure_}};
+        return Error{blame_, {*failure_}};
     }
 
 private:
@@ -801,9 +801,9 @@ private:
             return fail(1011, line[1], fmt::format("more than {} inclusions or {} MiB of text", kMostFiles, kMostBytes >> 20));
         const Token& at = line.size() > 2 ? line[2] : line[1];
         std::vector<std::string> tried;
-        outside_.reset();
+        unread_.reset();
         const std::optional<fs::path> path = find(*name, sources_[line[0].file].name, at, tried);
-        if (!path && outside_) return fail(kOutside, at, outside_->text, outside_->hint);
+        if (!path && unread_) return failAsRead(at);
         if (!path) {
             const auto folder = options_.search ? options_.search(*name) : std::nullopt;
             return fail(1001, at, fmt::format("cannot find include file '{}'", *name),
@@ -815,6 +815,14 @@ private:
         const bool good = process(sources_.add(path->string(), texts_[*path]), depth + 1);
         including_.pop_back();
         return good;
+    }
+
+    /// Why a candidate that is there was not read, at the place that includes it; a file's own message names the file.
+    bool failAsRead(const Token& at) {
+        const Diagnostic& why = unread_->diagnostics.front();
+        blame_ = unread_->blame;
+        const bool named = why.at.file.empty() || why.code == kOutside;
+        return fail(why.code, at, named ? why.text : fmt::format("include file '{}' {}", why.at.file, why.text), why.hint);
     }
 
     /// Beside the including file, then beside each file on the way up to the effect, as Microsoft's handler looks, then the include
@@ -832,8 +840,9 @@ private:
         if (texts_.contains(path)) return true;
         const Result<std::string> text = options_.read(path);
         if (!text) {
-            const Diagnostic& why = text.error().diagnostics.front();
-            if (why.code == kOutside && !outside_) outside_ = why;
+            std::error_code code;
+            const bool there = fs::exists(path, code) && !fs::is_directory(path, code);
+            if (!unread_ && (there || text.error().blame == Blame::Machine)) unread_ = text.error();
             return false;
         }
         texts_[path] = std::make_shared<const std::string>(*text);
@@ -866,7 +875,8 @@ private:
     Macros macros_;
     Preprocessed result_;
     std::optional<Diagnostic> failure_;
-    std::optional<Diagnostic> outside_; // the first candidate of an include that is there and may not be read
+    std::optional<Error> unread_; // of the first candidate of an include that is there and could not be read, or may not be
+    Blame blame_ = Blame::Input;
     std::map<fs::path, std::shared_ptr<const std::string>> texts_;
     std::set<std::string> once_;
     std::vector<fs::path> including_; // the folders of the files that include the present one, the effect first

@@ -168,6 +168,7 @@ Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler) {
     if (auto cached = loadCachedShader(key)) return std::move(*cached);
     IncludeReader includes(request.file, request.includeFolders);
     auto raw = compiler == Compiler::Dxc ? dxc::compile(named, dxc::Output::Spirv, includes) : glslang_hlsl::compile(named, includes);
+    if (includes.unread()) return *includes.unread();
     if (!raw) return raw.error();
     auto shader = finish(std::move(*raw), request, compiler);
     if (shader) storeCachedShader(key, {*shader, includes.files()});
@@ -183,6 +184,7 @@ Result<Dxil> compileDxil(const ShaderRequest& request) {
     if (const auto cached = loadCachedShader(key)) return readBack(*cached);
     IncludeReader includes(request.file, request.includeFolders);
     auto raw = dxc::compile(named, dxc::Output::Dxil, includes);
+    if (includes.unread()) return *includes.unread();
     if (!raw) return raw.error();
     const Shader shader{.stage = request.stage,
                         .file = request.file,

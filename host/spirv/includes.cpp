@@ -30,7 +30,10 @@ std::optional<IncludeReader::Found> IncludeReader::read(const fs::path& path, co
     if (!fs::is_regular_file(path, code) || !roots_.hold(path)) return {};
     const std::string normal = path.lexically_normal().string();
     auto text = readFile(normal);
-    if (!text) return {};
+    if (!text) {
+        if (!unread_) unread_ = text.error();
+        return {};
+    }
     asked_[asked] = normal;
     if (std::ranges::find(files_, normal, &IncludedFile::path) == files_.end()) files_.push_back({normal, contentHash(*text)});
     return Found{normal, std::move(*text)};

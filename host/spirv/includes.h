@@ -1,6 +1,7 @@
 #pragma once
 // #include for both compilers, with a list of what was read: a cached shader holds only while these files are unchanged.
 
+#include "host/support/result.h"
 #include "host/support/roots.h"
 
 #include <filesystem>
@@ -34,6 +35,8 @@ public:
     [[nodiscard]] const std::vector<IncludedFile>& files() const { return files_; }
     /// The file that was read when the compiler asked for this name; the name itself if there was none.
     [[nodiscard]] std::string pathOf(const std::string& asked) const;
+    /// Why the first file that is there could not be read: compilers call it missing.
+    [[nodiscard]] const std::optional<Error>& unread() const { return unread_; }
 
 private:
     [[nodiscard]] std::optional<Found> read(const std::filesystem::path& path, const std::string& asked);
@@ -42,6 +45,7 @@ private:
     Roots roots_;
     std::vector<IncludedFile> files_;
     std::map<std::string, std::string> asked_;
+    std::optional<Error> unread_;
 };
 
 } // namespace tegument

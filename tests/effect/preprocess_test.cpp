@@ -1,5 +1,7 @@
 // Where the files of an effect may lie when no mark says how far its project reaches, and where one that is missing lies.
 
+#include "host/effect/preprocess.h"
+#include "host/effect/source.h"
 #include "host/support/file.h"
 #include "tests/effect/support.h"
 
@@ -330,6 +332,24 @@ TEST_F(Unpacked, an_archive_holds_no_file_that_is_named_absolutely_or_behind_a_l
     EXPECT_NE(said(write("a/linked.fx", "#include \"link.fxh\"\n")).find("TG1014"), std::string::npos);
     EXPECT_NE(said(write("a/far.fx", "#include \"../../../../../../../../../../etc/passwd\"\n")).find("TG1014"), std::string::npos)
         << "the common parent is the whole machine";
+}
+
+TEST_F(Unpacked, an_include_that_is_there_and_cannot_be_read_is_not_called_missing) {
+    const fs::path effect = write("a.fx", "\n#include \"part.fxh\"\n");
+    const fs::path part = write("part.fxh", "float gPart;");
+    const auto with = [&](const Error& error) {
+        Sources sources;
+        const auto read = [&](const fs::path& path) { return path == part ? Result<std::string>(error) : readFile(path); };
+        return preprocess(effect, {.read = read}, sources).error();
+    };
+    const Error memory = with(machineError(8001, "out of memory for part.fxh"));
+    EXPECT_EQ(memory.blame, Blame::Machine);
+    EXPECT_NE(format(memory).find("a.fx(2,10): error TG8001: out of memory for part.fxh"), std::string::npos) << format(memory);
+    const Error rights = with(inputError(5001, {.file = part.string()}, "cannot be read: Permission denied"));
+    EXPECT_EQ(rights.blame, Blame::Input);
+    EXPECT_NE(format(rights).find(fmt::format("a.fx(2,10): error TG5001: include file '{}' cannot be read", part.string())),
+              std::string::npos)
+        << format(rights);
 }
 
 TEST_F(Unpacked, a_mark_ends_the_project_before_the_file) {

@@ -31,6 +31,8 @@ public:
     explicit Rewriter(Effect& effect);
 
     [[nodiscard]] const Code& code() const { return code_; }
+    /// By the author's names; of arrays by "name[0]".
+    [[nodiscard]] const std::map<std::string, SamplerPlan>& samplers() const { return samplers_; }
     /// The job of a wrapper for a shader of this effect.
     [[nodiscard]] WrapperJob job(const ShaderReference& shader, bool vertex, std::string name) const;
     [[nodiscard]] Result<Wrapper> wrapped(const WrapperJob& job) const { return wrap(job); }
@@ -63,8 +65,8 @@ private:
 
     Code code_;
     Uses uses_;
-    std::set<std::string> pairs_;                 // samplers with their pictures
-    std::map<std::string, SamplerPlan> samplers_; // by name; of arrays by "name[0]"
+    std::set<std::string> pairs_; // samplers with their pictures
+    std::map<std::string, SamplerPlan> samplers_;
     std::map<std::string, std::string> textureKinds_;
     std::map<std::string, std::vector<LeafPlan>> structures_; // by the parameter's name
     std::map<std::string, std::string> renamed_;              // parameters that functions write: their copies

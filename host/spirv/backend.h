@@ -9,7 +9,8 @@ namespace tegument {
 struct RawShader {
     std::vector<std::uint32_t> words;
     std::vector<Diagnostic> warnings;
-    std::string listing{}; // of DXIL: its disassembly
+    std::string listing{};      // of DXIL: its disassembly
+    bool levelsRemoved = false; // DXC took out reads of textures that this stage cannot do, and called it success
 };
 
 namespace dxc {

@@ -25,6 +25,16 @@ void addCapability(std::vector<std::uint32_t>& words, spv::Capability capability
     words.insert(words.begin() + kModuleHeader, {head, static_cast<std::uint32_t>(capability)});
 }
 
+/// The level of such a read follows from how the coordinates of neighbouring pixels differ.
+bool takesLevelsByDerivatives(const std::vector<std::uint32_t>& words) {
+    bool found = false;
+    forEachInstruction(std::span(words), [&](spv::Op op, std::span<const std::uint32_t>) {
+        found = found || op == spv::OpImageSampleImplicitLod || op == spv::OpImageSampleDrefImplicitLod ||
+                op == spv::OpImageSampleProjImplicitLod || op == spv::OpImageSampleProjDrefImplicitLod;
+    });
+    return found;
+}
+
 /// Takes the format out of the types of storage images, where both compilers write rgba32f for float4: what is bound decides. False: two
 /// types would become the same, which SPIR-V does not allow; the module is as it was.
 bool forgetStorageFormats(std::vector<std::uint32_t>& words) {
@@ -81,6 +91,7 @@ std::string cacheKey(const ShaderRequest& request, const std::string& identity) 
     CacheKey key(kShaderFormat);
     key.add(identity).add(spirv::validatorName()).add(request.entry).add(request.stage);
     if (request.stage == ShaderStage::Compute) key.add("storage images without formats");
+    if (request.stage == ShaderStage::Compute) key.add("levels by name");
     for (const auto& [name, value] : request.defines)
         key.add(name).add(value);
     for (const auto& folder : request.includeFolders)
@@ -97,6 +108,11 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
                 ? "glslang cannot compile it; DXC can, and is not here: ./bootstrap build fetches it, or set TEGUMENT_DXC"
                 : "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
+    if (request.stage == ShaderStage::Compute && (raw.levelsRemoved || spirv::takesLevelsByDerivatives(raw.words)))
+        return inputError(
+            3001, {.file = request.file},
+            fmt::format("{} reads textures at a level that follows from derivatives, which only pixel shaders have", request.entry),
+            "SampleLevel and tex2Dlod name the level");
     if (request.stage == ShaderStage::Compute && !spirv::forgetStorageFormats(raw.words))
         return inputError(3006, {.file = request.file}, fmt::format("{} writes textures of several types", request.entry),
                           "declare every texture that compute shaders write as RWTexture2D<float4>");

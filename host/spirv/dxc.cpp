@@ -314,7 +314,8 @@ Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeR
     }
     RawShader shader{.words = std::vector<std::uint32_t>(made.object.size() / sizeof(std::uint32_t)),
                      .warnings = shortened(std::move(messages.warnings)),
-                     .listing = std::move(made.listing)};
+                     .listing = std::move(made.listing),
+                     .levelsRemoved = made.log.find("because of incompatible execution model") != std::string::npos};
     std::memcpy(shader.words.data(), made.object.data(), shader.words.size() * sizeof(std::uint32_t));
     return shader;
 }

@@ -590,7 +590,7 @@ void addBench(CLI::App& program, Action& action) {
     addExamples(
         *command,
         {{"bench", "every technique on the default head"},
-         {"bench --scene sphere-10 head@90+4px --technique Main", "some of it"},
+         {"bench --scene sphere-10 head@90+4px --technique DEonLuebke", "some of it"},
          {"bench --pick --max-error 0.02", "which one to take"},
          {"bench --html out/bench.html --json new.json --against old.json", "a report to look at, and what got slower or less accurate"},
          {"bench --fur --plot out/fur", "every technique of fur, near and far"}},

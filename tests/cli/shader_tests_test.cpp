@@ -228,6 +228,65 @@ TG_PIXEL_TEST(derivatives)
                      {"--validate"}));
 }
 
+TEST(ShaderTests, PropertiesHoldBetweenNeighbouringCases) {
+    expectPassed(run("rises.test.hlsl", R"(TG_TEST(rises)
+{
+    float x = tgRange(0, 1, 101);
+    float y = tgCases(2, 1);
+    tgIncreasing(x * x * y);
+    tgDecreasing(float2(-x, y));
+    tgContinuous(x * x * y, 0.05);
+}
+TG_TEST(where_it_is_reached) { int x = tgCases(1, 2, 3, 2, 5); if (x != 2) tgIncreasing(x); }
+)"));
+    const json fallen = failures("falls.test.hlsl", "TG_TEST(t) { float x = tgRange(0, 4, 5); tgIncreasing(x > 2.5 ? 0.5 : x); }\n");
+    ASSERT_EQ(fallen.size(), 1U);
+    EXPECT_EQ(fallen[0]["cases"], 1);
+    EXPECT_EQ(fallen[0]["values"]["x"], "3");
+    EXPECT_NE(fallen[0]["text"].get<std::string>().find("0.5 after 2"), std::string::npos) << fallen;
+    EXPECT_EQ(failures("jumps.test.hlsl", "TG_TEST(t) { float x = tgRange(0, 1, 11); tgContinuous(step(0.45, x), 0.5); }\n").size(), 1U);
+    EXPECT_EQ(failures("nan.test.hlsl", "TG_TEST(t) { float x = tgRange(-1, 1, 3); tgIncreasing(sqrt(x)); }\n").size(), 1U);
+    expectSaid(run("random.test.hlsl", "TG_TEST(t) { float x = tgRandom(0, 1, 10); tgIncreasing(x); }\n"), kInput, {"TG8202", "tgRange("});
+    expectSaid(run("outside.test.hlsl", "float f(float x) { tgIncreasing(x); return x; }\nTG_TEST(t) { tgTrue(f(1) > 0); }\n"), kInput,
+               {"outside.test.hlsl(1,", "TG8202", "stands in a test"});
+}
+
+TEST(ShaderTests, HlslOfDirect3D9IsRespelt) {
+    const std::string effect = R"(float4x4 gWorld;
+float gScale = 2.0;
+texture2D gSkin < string ResourceName = "skin.png"; >;
+sampler2D gSkinSampler = sampler_state { Texture = <gSkin>; MinFilter = Point; MagFilter = Point; AddressU = Clamp; };
+sampler gPlain : register(s3);
+struct Vertex { float4 place : POSITION; float2 uv : TEXCOORD0; };
+float4 through(sampler2D s, float2 uv) { return tex2D(s, uv) * gScale; }
+Vertex VS(float4 place : POSITION, float2 uv : TEXCOORD0) { Vertex o; o.place = mul(place, gWorld); o.uv = uv; return o; }
+float4 PS(Vertex i) : COLOR { return through(gSkinSampler, i.uv) + tex2Dlod(gPlain, float4(i.uv, 0, 0)); }
+technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }
+tgTexture(gSkin, 2, 1, { 0.25, 0.5 });
+tgTexture(gPlain, 1, 1, { 1, 2, 3, 4 });
+)";
+    expectPassed(run("old.test.hlsl", effect + R"(TG_TEST(vertices)
+{
+    tgConstant(gWorld, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1);
+    tgEqual(VS(float4(1, 2, 3, 1), 0.5).place, float4(6, 8, 10, 1));
+}
+TG_PIXEL_TEST(pixels)
+{
+    float u = tgCases(0.2, 0.8, 3.0);
+    Vertex i;
+    i.place = 0;
+    i.uv = float2(u, 0.5);
+    tgNear(PS(i).xyz, (u < 0.5 ? 0.5 : 1.0) * float3(1, 0, 0) + float3(1, 2, 3), 1e-5);
+}
+TG_TEST(arithmetic) { float x = tgCases(-2, 2); tgNear(pow(x, 2), 4, 1e-4); tgEqual(normalize(float3(0, 0, 0)), 0); }
+)"));
+    const json found = failures("old_wrong.test.hlsl", effect + "TG_TEST(wrong)\n{\n    tgEqual(gScale, 3);\n}\n");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0]["line"], 15);
+    expectSaid(run("old_bare.test.hlsl", "sampler2D gMap;\nTG_PIXEL_TEST(t) { tgEqual(tex2D(gMap, 0.5).x, 0); }\n"), kInput,
+               {"TG8205", "tgTexture(gMap, width, height"});
+}
+
 TEST(ShaderTests, FixtureOfWhatIsNotDeclaredOrWithoutItsSemicolonIsSaid) {
     const std::string test = "TG_TEST(map) { tgTrue(gMap.Load(int3(0, 0, 0)).r > 0); }\n";
     for (const std::string compiler : {"dxc", "glslang"}) {
@@ -257,6 +316,15 @@ TEST(ShaderTests, CompileErrorHasTheLineOfItsFile) {
                {"broken.hlsl(3,12)", "TG3001", "undeclared"});
     expectSaid(run("struct.test.hlsl", "struct S { float x; };\nTG_TEST(t)\n{\n    S s;\n    s.x = 1;\n    tgEqual(s, 1);\n}\n"), kInput,
                {"struct.test.hlsl(6,"});
+}
+
+TEST(ShaderTests, LevelByDerivativesIsRefusedWhereThereAreNone) {
+    // DXC removes such a read, and calls it success.
+    expectSaid(run("level.test.hlsl",
+                   "Texture2D gMap;\nSamplerState gSampler;\ntgTexture(gMap, 1, 1, { 1 });\n"
+                   "TG_TEST(t) { float u = tgCases(0.2, 0.4); tgEqual(gMap.Sample(gSampler, u).x, 1); }\n",
+                   {"--compiler", "dxc"}),
+               kInput, {"level.test.hlsl", "TG3001", "TG_PIXEL_TEST", "SampleLevel"});
 }
 
 TEST(ShaderTests, MatrixIsNoValueWithEitherCompiler) {

@@ -14,16 +14,20 @@ cbuffer tgTestRun
     uint tgTestSeed;
     uint tgTestLoopMost;
     uint tgTestNotesAt; // in tgTestOut
+    uint tgTestValuesAt;
+    uint tgTestCases;
 };
 
 // Of each site 22 numbers: runs, failures, first invocation that failed, largest error (absolute, relative, ulp), 16 classes of errors in ulp.
-// Behind them whether a loop did not end, then what was noted: site + 1, kind and components, four numbers; behind those the counts of coverage.
+// Behind them whether a loop did not end, then what was noted: site + 1, kind and components, four numbers; behind those the counts of coverage,
+// then the values of properties, case by case: four numbers, the largest step, how many numbers there are.
 RWStructuredBuffer<uint> tgTestOut;
 StructuredBuffer<float> tgTestTable;
 
 static const uint kTgTestSite = 22u;
 static const uint kTgTestNoted = 6u;
 static const uint kTgTestMostNotes = 256u;
+static const uint kTgTestProperty = 6u;
 
 static uint tgTestInvocation = 0u;
 static uint tgTestNotes = 0u;
@@ -222,6 +226,20 @@ void tgTestBetween(uint site, TgTestValue value, TgTestValue low, TgTestValue hi
         if (i < value.count && !(x[i] >= least[i] && x[i] <= most[i])) passed = false;
     tgTestJudge(site, passed);
     if (!passed) tgTestNote(site, value);
+}
+
+// The program compares neighbours.
+void tgTestProperty(uint site, uint property, TgTestValue value, float most)
+{
+    tgTestJudge(site, true);
+    tgTestNote(site, value);
+    if (tgTestSilent) return;
+    const float4 numbers = tgTestNumbers(value);
+    const uint at = tgTestValuesAt + (property * tgTestCases + tgCase) * kTgTestProperty;
+    for (uint i = 0u; i < 4u; i++)
+        tgTestOut[at + i] = asuint(numbers[i]);
+    tgTestOut[at + 4u] = asuint(most);
+    tgTestOut[at + 5u] = value.count;
 }
 
 // Whether the loop has to be left: it, or all loops together, have taken too many turns, here or in another invocation.

@@ -282,6 +282,7 @@ std::optional<Error> DeclarationReader::finish(Test& test) const {
     std::uint64_t cases = 1;
     for (const Dimension& each : dimensions_)
         cases *= each.count;
+    if (!dimensions_.empty()) test.row = dimensions_.front().count;
     const std::uint32_t drawn = draws_ == 1 && cases == 1 ? kDraws : draws_;
     test.cases = static_cast<std::uint32_t>(std::max<std::uint64_t>(cases, drawn));
     if (test.group[0] != 0 && test.cases > kMostGroups)

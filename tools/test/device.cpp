@@ -17,7 +17,8 @@ namespace tegument::testing {
 
 namespace {
 
-constexpr std::size_t kSiteNumbers = 22; // of assertions.hlsl, as are the next two
+constexpr std::size_t kSiteNumbers = 22; // of assertions.hlsl, as are the next three
+constexpr std::size_t kPropertyNumbers = 6;
 constexpr std::size_t kNoteNumbers = 6;
 constexpr std::size_t kMostNotes = 256;
 constexpr std::uint32_t kThreads = 64; // of a group of cases that stand alone
@@ -25,6 +26,11 @@ constexpr std::uint32_t kThreads = 64; // of a group of cases that stand alone
 /// Behind the sites and the word that says whether a loop did not end.
 std::size_t notesAt(const TestFile& file) {
     return file.sites.size() * kSiteNumbers + 1;
+}
+
+/// Behind the notes and the counts of coverage.
+std::size_t valuesAt(const TestFile& file) {
+    return notesAt(file) + kMostNotes * kNoteNumbers + file.statements.size();
 }
 
 std::uint32_t wordOf(double number, bool integer) {
@@ -55,6 +61,11 @@ Result<Program> Program::create(gpu::Device& device, const TestFile& file, const
 void Program::add(std::uint32_t set, std::uint32_t binding, gpu::BindingKind kind, decltype(gpu::BoundResource::resource) resource) {
     bindings_.push_back({set, binding, kind});
     resources_.push_back({set, binding, resource});
+}
+
+const std::string& Program::authorsName(const std::string& name) const {
+    const auto found = file_.authors.find(name);
+    return found == file_.authors.end() ? name : found->second;
 }
 
 const Fixture* Program::fixture(const std::string& name, std::string_view kind) const {
@@ -119,11 +130,11 @@ Result<void> Program::bindBuffer(const Resource& resource) {
 }
 
 Result<void> Program::bindTexture(const Resource& resource) {
-    const Fixture* given = fixture(resource.name, "tgTexture");
-    if (given == nullptr)
-        return missing("texture", resource.name, fmt::format("tgTexture({}, width, height, {{ numbers }});", resource.name));
+    const std::string& name = authorsName(resource.name);
+    const Fixture* given = fixture(name, "tgTexture");
+    if (given == nullptr) return missing("texture", name, fmt::format("tgTexture({}, width, height, {{ numbers }});", name));
     if (resource.kind != ResourceKind::Texture2D && resource.kind != ResourceKind::StorageImage)
-        return inputError(8203, given->at, fmt::format("{} is no Texture2D", resource.name), "tgTexture gives textures of two dimensions");
+        return inputError(8203, given->at, fmt::format("{} is no Texture2D", name), "tgTexture gives textures of two dimensions");
     Image image{.width = static_cast<int>(given->width), .height = static_cast<int>(given->height)};
     if (!given->file.empty()) {
         auto loaded = loadImage(given->file);
@@ -159,8 +170,9 @@ Result<void> Program::bindTexture(const Resource& resource) {
 }
 
 Result<void> Program::bindSampler(const Resource& resource) {
-    SamplerState state;
-    if (const Fixture* given = fixture(resource.name, "tgSampler")) {
+    const auto declared = std::ranges::find(file_.samplers, resource.name, &Sampler::name);
+    SamplerState state = declared == file_.samplers.end() ? SamplerState{} : declared->state;
+    if (const Fixture* given = fixture(authorsName(resource.name), "tgSampler")) {
         const bool point = std::ranges::find(given->words, "point") != given->words.end();
         state.minFilter = state.magFilter = state.mipFilter = point ? Filter::Point : Filter::Linear;
         state.addressU = state.addressV = state.addressW = addressOf(given->words);
@@ -220,7 +232,7 @@ Result<void> Program::prepare(const Shader* vertex) {
 }
 
 std::vector<std::uint32_t> Program::outputs() const {
-    std::vector<std::uint32_t> words(notesAt(file_) + kMostNotes * kNoteNumbers + file_.statements.size(), 0);
+    std::vector<std::uint32_t> words(valuesAt(file_) + std::size_t{test_.properties} * test_.cases * kPropertyNumbers, 0);
     for (std::size_t site = 0; site < file_.sites.size(); ++site)
         words[site * kSiteNumbers + 2] = std::numeric_limits<std::uint32_t>::max();
     return words;
@@ -249,7 +261,9 @@ Result<Ran> Program::run(const Launch& launch) {
                                                          {"tgTestOrder", launch_.order},
                                                          {"tgTestSeed", launch_.seed},
                                                          {"tgTestLoopMost", launch_.loopMost},
-                                                         {"tgTestNotesAt", static_cast<std::uint32_t>(notesAt(file_))}};
+                                                         {"tgTestNotesAt", static_cast<std::uint32_t>(notesAt(file_))},
+                                                         {"tgTestValuesAt", static_cast<std::uint32_t>(valuesAt(file_))},
+                                                         {"tgTestCases", test_.cases}};
     for (std::size_t i = 0; launchBlock_ != nullptr && i < launchBlock_->members.size(); ++i)
         if (const auto value = values.find(launchBlock_->members[i].name); value != values.end())
             std::memcpy(blocks_[launchBytes_].data() + launchBlock_->members[i].offset, &value->second, sizeof value->second);
@@ -282,6 +296,13 @@ Result<Ran> Program::run(const Launch& launch) {
     }
     std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(notesAt(file_) + kMostNotes * kNoteNumbers), ran.reached.size(),
                 ran.reached.begin());
+    for (std::size_t at = valuesAt(file_); at + kPropertyNumbers <= words.size(); at += kPropertyNumbers) {
+        Recorded& recorded = ran.recorded.emplace_back();
+        for (std::size_t i = 0; i < recorded.numbers.size(); ++i)
+            recorded.numbers.at(i) = std::bit_cast<float>(words[at + i]);
+        recorded.most = std::bit_cast<float>(words[at + 4]);
+        recorded.count = std::min(words[at + 5], 4U);
+    }
     return ran;
 }
 

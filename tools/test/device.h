@@ -41,10 +41,18 @@ struct Noted {
     [[nodiscard]] double number(std::uint32_t component) const;
 };
 
+/// A value of a property in one case.
+struct Recorded {
+    std::array<float, 4> numbers{};
+    float most = 0;          // step to the next case
+    std::uint32_t count = 0; // 0: the case did not come there
+};
+
 struct Ran {
     std::vector<Counts> sites;
     std::vector<Noted> notes;
     std::vector<std::uint32_t> reached; // runs of each statement
+    std::vector<Recorded> recorded;     // of each property its cases
 };
 
 class Program {
@@ -64,6 +72,7 @@ private:
     [[nodiscard]] Result<void> bindBuffer(const Resource& resource);
     [[nodiscard]] Result<void> bindTexture(const Resource& resource);
     [[nodiscard]] Result<void> bindSampler(const Resource& resource);
+    [[nodiscard]] const std::string& authorsName(const std::string& name) const;
     [[nodiscard]] const Fixture* fixture(const std::string& name, std::string_view kind) const;
     [[nodiscard]] Error missing(const std::string& what, const std::string& name, const std::string& hint) const;
     void add(std::uint32_t set, std::uint32_t binding, gpu::BindingKind kind, decltype(gpu::BoundResource::resource) resource);

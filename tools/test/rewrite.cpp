@@ -1,5 +1,6 @@
 #include "tools/test/rewrite.h"
 
+#include "host/adopt/spelling.h"
 #include "host/effect/parser.h"
 #include "host/support/text.h"
 #include "tools/test/declarations.h"
@@ -21,11 +22,14 @@ struct AssertionKind {
     bool limited = false; // tolerances behind them
 };
 
-constexpr std::array<AssertionKind, 6> kAssertionKinds{{{"tgEqual", SiteKind::Equal, 2},
+constexpr std::array<AssertionKind, 9> kAssertionKinds{{{"tgEqual", SiteKind::Equal, 2},
                                                         {"tgNear", SiteKind::Near, 2, true},
                                                         {"tgTrue", SiteKind::True, 1},
                                                         {"tgFinite", SiteKind::Finite, 1},
                                                         {"tgBetween", SiteKind::Between, 3},
+                                                        {"tgIncreasing", SiteKind::Increasing, 1},
+                                                        {"tgDecreasing", SiteKind::Decreasing, 1},
+                                                        {"tgContinuous", SiteKind::Continuous, 2},
                                                         {"tgWatch", SiteKind::Watch, 1}}};
 
 /// Operators and functions, and what a mutant has in their place.
@@ -78,7 +82,7 @@ public:
         std::string counters;
         for (std::size_t i = 0; i < loopCount_; ++i)
             counters += fmt::format("static uint tgTestTurns{} = 0u;\n", i);
-        return {.view = std::move(out_), .counters = std::move(counters)};
+        return {.view = std::move(out_), .counters = std::move(counters), .effect = std::move(effect_)};
     }
 
 private:
@@ -113,7 +117,8 @@ private:
         const auto ofEffects = [](const Token& token) {
             return token.is("technique") || token.is("technique10") || token.is("technique11") || token.is("sampler_state");
         };
-        if (std::ranges::none_of(tokens_, ofEffects)) return blanked;
+        const bool old = isOfDirect3D9();
+        if (!old && std::ranges::none_of(tokens_, ofEffects)) return blanked;
         // Tests are no functions to the parser of effects, and fixtures no declarations.
         std::vector<Token> plain;
         std::vector<std::size_t> from;
@@ -127,11 +132,19 @@ private:
             plain.push_back(tokens_[i]);
             from.push_back(i);
         }
-        const Parsed parsed = Parser(sources_, plain, true).run();
+        Parsed parsed = Parser(sources_, plain, true).run();
         for (const TokenRange& range : parsed.blanks)
             for (std::size_t i = range.first; i < range.last; ++i)
                 blanked[from[i]] = true;
+        if (old) effect_ = std::move(parsed.effect);
         return blanked;
+    }
+
+    /// Types and functions that later compilers do not have: `texture`, `tex2D`.
+    [[nodiscard]] bool isOfDirect3D9() const {
+        for (std::size_t i = 0; i + 1 < tokens_.size(); ++i)
+            if ((adopt::isTexture9(tokens_[i].text) && isWord(i + 1)) || (adopt::fetchOf(tokens_[i].text) && is(i + 1, '('))) return true;
+        return false;
     }
 
     void copyPragmas(std::size_t before) {
@@ -258,6 +271,9 @@ private:
         function(i, close + 1);
         test_ = nullptr;
         if (const auto error = reader_.finish(made)) throw Error(*error);
+        if (made.properties > 0 && (made.row < 2 || made.invocations() > 1 || made.stage != ShaderStage::Compute))
+            fail(8202, tokens_[i], fmt::format("{} compares neighbouring cases", made.name),
+                 "write a TG_TEST whose first input is tgRange(low, high, count), tgCases(values) or tgTable(\"file\", column)");
         file_.tests.push_back(std::move(made));
         return closing_[close + 1] + 1;
     }
@@ -509,6 +525,10 @@ private:
         const std::uint32_t number = site(kind.kind, i, close + 1);
         const bool isWatch = kind.kind == SiteKind::Watch;
         if (isWatch) file_.sites.back().text = textOf(tokens_, i + 2, close);
+        if (file_.sites.back().isProperty()) {
+            property(kind, number, given);
+            return close + 1;
+        }
         emit(fmt::format("{}({}u", isWatch ? "tgTestNote" : "tgTest" + std::string(kind.name.substr(2)), number), tokens_[i]);
         for (std::size_t a = 0; a < kind.values; ++a) {
             const std::string type = literalType(given[a]);
@@ -525,6 +545,20 @@ private:
         }
         emit(std::string(given.size() - std::min(given.size(), kind.values + 1) + 1, ')'), tokens_[close]);
         return close + 1;
+    }
+
+    void property(const AssertionKind& kind, std::uint32_t number, const std::vector<TokenRange>& given) {
+        if (test_ == nullptr) fail(8202, tokens_[given[0].first], fmt::format("{} stands in a test", kind.name));
+        file_.sites[number].property = test_->properties;
+        const std::string type = literalType(given[0]);
+        emit(fmt::format("tgTestProperty({}u, {}u, tgTestOf({}(", number, test_->properties++, type), tokens_[given[0].first]);
+        expression(given[0].first, given[0].last);
+        emit(")), ", tokens_[given[0].last]);
+        if (given.size() > 1)
+            expression(given[1].first, given[1].last);
+        else
+            emit("0.0", tokens_[given[0].last]);
+        emit(")", tokens_[given[0].last]);
     }
 
     /// What a mutant may change between these tokens.
@@ -563,6 +597,7 @@ private:
     Preprocessed out_;
     std::vector<std::size_t> closing_;
     std::vector<bool> blanked_;
+    std::optional<Effect> effect_;
     std::size_t pragma_ = 0;
     std::map<std::string, std::string> arrays_; // of the file
     std::map<std::string, std::string> locals_; // and of the function

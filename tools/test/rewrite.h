@@ -14,7 +14,8 @@ inline constexpr std::uint32_t kMostGroups = 65535;
 
 struct Rewritten {
     Preprocessed view;
-    std::string counters; // declarations of the loops' counters
+    std::string counters;         // declarations of the loops' counters
+    std::optional<Effect> effect; // what the file declares for effects, where it is written for Direct3D 9
 };
 
 /// Each assertion, input, loop and index gets a number, its site in `file`; fixtures leave the code; so does an effect's own syntax.

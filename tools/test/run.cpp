@@ -13,6 +13,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <span>
 
 namespace tegument::testing {
 
@@ -38,11 +39,15 @@ void quoteSource(Diagnostic& message) {
 }
 
 Result<Shader> compiled(const TestFile& file, const std::string& entry, ShaderStage stage, Compiler compiler) {
-    auto shader = compileShader({.code = file.code, .file = file.path.string(), .entry = entry, .stage = stage, .apart = true}, compiler);
+    auto shader = compileShader(
+        {.code = file.code, .file = file.path.string(), .entry = entry, .stage = stage, .apart = true, .language2018 = file.direct3D9},
+        compiler);
     if (shader) return shader;
     Error error = shader.error();
     for (Diagnostic& message : error.diagnostics) {
         quoteSource(message);
+        if (message.text.find("only pixel shaders have") != std::string::npos)
+            message.hint = "TG_PIXEL_TEST has derivatives; " + message.hint;
         for (const Test& test : file.tests)
             for (const Fixture& fixture : test.fixtures)
                 if (message.text.find("undeclared identifier '" + fixture.name + "'") != std::string::npos ||
@@ -113,7 +118,7 @@ public:
 private:
     Result<void> judge(Program& program, std::vector<std::uint64_t>* reached) {
         launch_ = {.end = test_.cases, .order = launch_.order, .seed = options_.seed, .loopMost = options_.loopMost};
-        const auto ran = program.run(launch_);
+        auto ran = program.run(launch_);
         if (!ran) return ran.error();
         for (std::size_t i = 0; reached != nullptr && i < ran->reached.size(); ++i)
             (*reached)[i] += ran->reached[i];
@@ -125,8 +130,9 @@ private:
         }
         result_.assertions += judged;
         for (std::size_t site = 0; site < ran->sites.size(); ++site) {
-            const Counts& counts = ran->sites[site];
+            Counts& counts = ran->sites[site];
             const SiteKind kind = file_.sites[site].kind;
+            if (file_.sites[site].isProperty()) compareNeighbours(file_.sites[site], *ran, counts);
             if (kind == SiteKind::Near && counts.runs > 0 && launch_.order == 0) result_.errors.push_back({file_.sites[site], counts});
             if (counts.failures == 0 || (lost && kind != SiteKind::Loop) || result_.failures.size() == kMostFailures) continue;
             if (auto told = tell(program, static_cast<std::uint32_t>(site), counts); !told) return told;
@@ -134,6 +140,27 @@ private:
         if (judged == 0 && result_.failures.empty())
             fail(8202, {.at = test_.at, .text = {}, .line = {}}, "no assertion was reached", "write one");
         return {};
+    }
+
+    /// Case by case along the first input, the others as they are.
+    void compareNeighbours(const Site& site, const Ran& ran, Counts& counts) {
+        if (counts.runs == 0) return; // of another test
+        const auto cases = std::span(ran.recorded).subspan(std::size_t{site.property} * test_.cases, test_.cases);
+        for (std::uint32_t i = 1; i < test_.cases; ++i) {
+            const Recorded& before = cases[i - 1];
+            const Recorded& here = cases[i];
+            if (i % test_.row == 0 || before.count == 0 || before.count != here.count) continue;
+            bool holds = true;
+            for (std::size_t c = 0; c < here.count; ++c) {
+                const float step = here.numbers.at(c) - before.numbers.at(c);
+                holds = holds && (site.kind == SiteKind::Increasing   ? step >= 0
+                                  : site.kind == SiteKind::Decreasing ? step <= 0
+                                                                      : std::abs(step) <= here.most);
+            }
+            if (holds) continue;
+            if (counts.failures++ == 0) counts.first = i;
+        }
+        if (counts.failures > 0) before_ = cases[counts.first - 1];
     }
 
     void fail(int code, const Site& site, std::string text, std::string hint) {
@@ -176,6 +203,12 @@ private:
             compared = fmt::format(": {}, expected {}{}", textOf(own[0]), textOf(own[1]), differenceOf(own[0], own[1]));
         else if (!own.empty() && site.isAssertion())
             compared = ": " + textOf(own[0]);
+        if (!own.empty() && site.isProperty()) {
+            Noted before{.kind = 0, .count = own[0].count};
+            for (std::uint32_t c = 0; c < before.count; ++c)
+                before.bits.at(c) = std::bit_cast<std::uint32_t>(before_.numbers.at(c));
+            compared += fmt::format(" after {}", textOf(before));
+        }
         const std::string often = counts.runs > 1 ? fmt::format(" in {} of {}", counts.failures, counts.runs) : "";
         if (site.kind == SiteKind::Loop)
             fail(8211, site, fmt::format("the loop takes more than {} turns", options_.loopMost), where);
@@ -233,6 +266,7 @@ private:
     Compiler compiler_;
     const Shader* vertex_ = nullptr;
     Launch launch_;
+    Recorded before_; // the neighbour of the case that the property at hand failed in
     TestResult result_;
 };
 
@@ -244,10 +278,15 @@ struct Work {
     std::optional<Result<Shader>> vertex; // of pixel tests
 };
 
+/// glslang takes no structures of textures, into which Direct3D 9's samplers are made.
+std::vector<Compiler> compilersOf(const TestFile& file, const RunOptions& options) {
+    return file.direct3D9 ? std::vector{Compiler::Dxc} : options.compilers;
+}
+
 std::vector<Work> worksOf(const TestFile& file, const RunOptions& options) {
     std::vector<Work> works;
     for (const Test& test : file.tests)
-        for (const Compiler compiler : options.compilers)
+        for (const Compiler compiler : compilersOf(file, options))
             if (chosen(test.name, options.filter)) works.push_back({.test = &test, .compiler = compiler, .shader = {}, .vertex = {}});
     return works;
 }
@@ -330,7 +369,7 @@ Result<FileResult> runFile(gpu::Device& device, const std::filesystem::path& pat
             result.tests.push_back({.name = work.test->name, .at = work.test->at, .compiler = work.compiler, .cases = work.test->cases});
             continue;
         }
-        auto test = runWork(device, *file, work, options, work.compiler == options.compilers.front() ? &reached : nullptr);
+        auto test = runWork(device, *file, work, options, work.compiler == works.front().compiler ? &reached : nullptr);
         if (!test && test.error().blame != Blame::Input) return test.error();
         if (!test) {
             addOnce(result.diagnostics, test.error().diagnostics);

@@ -1,5 +1,6 @@
 #include "tools/test/test_file.h"
 
+#include "host/adopt/rewrite.h"
 #include "host/effect/code_view.h"
 #include "host/effect/preprocess.h"
 #include "tools/test/rewrite.h"
@@ -53,6 +54,22 @@ std::optional<Error> unusable(const TestFile& file) {
     return {};
 }
 
+/// What the tests reach, as later compilers have it, with Direct3D 9's arithmetic.
+std::string respelt(Effect effect, TestFile& file) {
+    const std::vector<Parameter> declared = effect.parameters;
+    const adopt::Rewriter rewriter(effect);
+    file.direct3D9 = true;
+    file.samplers = effect.samplers;
+    for (const auto& [name, plan] : rewriter.samplers()) {
+        file.authors[plan.state] = name;
+        if (std::ranges::find(declared, plan.texture, &Parameter::name) == declared.end()) file.authors[plan.texture] = name;
+    }
+    ShaderReference root{.entry = "tgTest_" + file.tests.front().name, .profile = "ps_3_0"};
+    for (std::size_t i = 1; i < file.tests.size(); ++i)
+        root.arguments.push_back("tgTest_" + file.tests[i].name);
+    return rewriter.source(&root, {});
+}
+
 } // namespace
 
 Result<TestFile> readTests(const std::filesystem::path& path, const ReadOptions& options) {
@@ -73,8 +90,12 @@ Result<TestFile> readTests(const std::filesystem::path& path, const ReadOptions&
     if (auto error = unusable(file)) return quoted(*error, sources);
     for (Site& site : file.sites)
         site.line = sources.line(site.at.file, site.at.line);
-    file.code = fmt::format("#line 1 \"assertions.hlsl\"\n{}{}{}\n#line 1 \"tests\"\n", kAssertions, rewritten->counters,
-                            codeView(rewritten->view, sources, {}));
+    std::string code = codeView(rewritten->view, sources, {});
+    if (rewritten->effect) {
+        rewritten->effect->code = std::move(code);
+        code = respelt(std::move(*rewritten->effect), file);
+    }
+    file.code = fmt::format("#line 1 \"assertions.hlsl\"\n{}{}{}\n#line 1 \"tests\"\n", kAssertions, rewritten->counters, code);
     for (const Test& test : file.tests)
         file.code += entryPoint(test);
     return file;

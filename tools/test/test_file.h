@@ -16,15 +16,17 @@
 namespace tegument::testing {
 
 /// Assertions first; then what only notes values; then what instrumentation finds.
-enum class SiteKind { Equal, Near, True, Finite, Between, Watch, Input, Loop, Index, NotANumber };
+enum class SiteKind { Equal, Near, True, Finite, Between, Increasing, Decreasing, Continuous, Watch, Input, Loop, Index, NotANumber };
 
 /// A place in the source that the device tells of.
 struct Site {
     SiteKind kind = SiteKind::True;
     SourcePosition at;
-    std::string text; // as written; of an input its name
-    std::string line; // of the source
-    [[nodiscard]] bool isAssertion() const { return kind <= SiteKind::Between; }
+    std::string text;           // as written; of an input its name
+    std::string line;           // of the source
+    std::uint32_t property = 0; // of an assertion about neighbouring cases: its number in the test
+    [[nodiscard]] bool isAssertion() const { return kind <= SiteKind::Continuous; }
+    [[nodiscard]] bool isProperty() const { return kind >= SiteKind::Increasing && kind <= SiteKind::Continuous; }
 };
 
 /// A value from outside: tgTexture, tgBuffer, tgConstant, tgSampler.
@@ -46,6 +48,8 @@ struct Test {
     ShaderStage stage = ShaderStage::Compute;
     std::array<std::uint32_t, 3> group = {0, 0, 0}; // threads that work together; 0: each case alone
     std::uint32_t cases = 1;
+    std::uint32_t row = 1;          // cases that differ in the first input alone, in its order
+    std::uint32_t properties = 0;   // that are recorded case by case
     std::vector<Fixture> fixtures;  // the file's own first
     std::vector<float> table;       // what its inputs read
     std::string entry;              // of the shader
@@ -71,6 +75,9 @@ struct TestFile {
     std::vector<Site> sites;
     std::vector<std::filesystem::path> includes;
     std::map<std::string, std::string> elements; // of structured buffers by name: their type
+    bool direct3D9 = false;                      // its HLSL is respelt for DXC
+    std::vector<Sampler> samplers;               // of Direct3D 9, each with its state, under the names of the code
+    std::map<std::string, std::string> authors;  // of the code's names of samplers and their textures those that the author wrote
     std::vector<SourcePosition> statements;      // whose runs are counted
     std::vector<Mutant> mutants;                 // that could be made
     std::vector<Diagnostic> warnings;

@@ -136,7 +136,7 @@ def prepare(program, folder, shared):
         write_head(shared)
         tegument("prep", BUNNY, "-o", "scan.ply")
         write_panorama(shared / "hall.hdr")
-        tegument("prep", "head.obj", "-o", "made_head.glb")
+        tegument("prep", "head.obj", "-o", "head.glb")
         tegument("prep", "scan.ply", "-o", "bunny.glb")
         (shared / "my.fx").write_text(EFFECT, encoding="ascii")
         (shared / "my_effects").mkdir()
@@ -161,25 +161,27 @@ def prepare(program, folder, shared):
     for name in ("effects", "hlsl"):
         shutil.copytree(REPOSITORY / name, folder / name)
     shutil.copytree(REPOSITORY / "docs/samples", folder / "docs/samples")
-    for name in ("meshprep", "bootstrap"):
+    for name in ("meshprep", "bootstrap", "lab"):
         (folder / name).symlink_to(REPOSITORY / name)
     (folder / "build/release").mkdir(parents=True)  # a program takes the effects above it
     shutil.copy(program, folder / "build/release/tegument")
-    if (program.parent / "tests").is_dir():
-        (folder / "build/release/tests").symlink_to(program.parent / "tests")
+    for entry in program.parent.iterdir():
+        if entry.name != "tegument":
+            (folder / "build/release" / entry.name).symlink_to(entry)
 
 
 def judged(path):
     """What is wrong with a picture; empty: nothing."""
     try:
         with Image.open(path) as picture:
-            frames = [numpy.asarray(frame.convert("RGB"), float) for frame in ImageSequence.Iterator(picture)]
+            kind = "RGBA" if "A" in picture.getbands() else "RGB"  # alpha is what a map of fur has
+            frames = [numpy.asarray(frame.convert(kind), float) for frame in ImageSequence.Iterator(picture)]
     except (OSError, SyntaxError, ValueError) as error:
         return f"cannot be opened: {error}"
     for frame in frames:
-        if frame.max() - frame.min() < 16:
+        if (frame.max(axis=(0, 1)) - frame.min(axis=(0, 1))).max() < 16:
             return "is of one colour"
-        if frame.max() < 40:
+        if frame[..., :3].max() < 40 and kind == "RGB":
             return "is black"
     return ""
 

@@ -208,6 +208,9 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_COMPUTE_PASS(name, cs, target) pass name < string Script = "Draw=Compute;"; string Threads = target; bool CoversTarget = true; \
     > { ComputeShader = compile cs_5_0 cs(); }
 #endif
+// A full-screen pass that leaves texels as they are where it discards.
+#define TG_OVER_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; \
+    > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; bool CoversTarget = true; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #endif

@@ -34,14 +34,22 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/planar_shadow.fxh"
 #include "passes/post_frame.fxh"
 #include "passes/post.fxh"
+#include "passes/post_compute.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("SkinPost") string WithoutUvs = "*"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
-technique SkinPost < string Script = FRAME_SCRIPT POST_SCRIPT; >
+technique SkinPost < string Script = POST_FRAME_SCRIPT POST_SCRIPT; >
 {
-    FRAME_PASSES
+    POST_FRAME_PASSES
     POST_PASSES
+}
+#endif
+#ifdef TEGUMENT_COMPUTE_TECHNIQUES
+technique SkinPostCompute < string Script = POST_FRAME_SCRIPT POST_COMPUTE_SCRIPT; >
+{
+    POST_FRAME_PASSES
+    POST_COMPUTE_PASSES
 }
 #endif
 // SPDX-License-Identifier: MIT

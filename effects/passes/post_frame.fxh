@@ -1,10 +1,20 @@
 // Pass Frame: what an engine's own frame holds before SkinPost, drawn by this project's light. gPostLightMap: light that crosses into skin,
 // without colour, alpha tgPostMask. gPostDepthMap: depth as a depth buffer holds it. gPostAlbedoMap: colour, alpha the share of light that
 // leaves towards the eye. gPostColorMap: the engine's picture: reflection, and all that is no skin; alpha 1 where the mesh is.
-#ifndef TEGUMENT_PASSES_POST_FRAME_FXH
-#define TEGUMENT_PASSES_POST_FRAME_FXH
+#ifndef TEGUMENT_PASSES_POST_POST_FRAME_FXH
+#define TEGUMENT_PASSES_POST_POST_FRAME_FXH
 
 float4x4 gProjection : PROJECTION < string UIWidget = "None"; >;
+
+float gPostProfile < UI_SLIDER("Profile", 0.0, 15.0, 1.0) string UIHelp = "row of gPostTone, of all skin of this mesh"; > = 0.0;
+float gPostStrength < UI_SLIDER("Strength of diffusion", 0.0, 1.0, 0.01) > = 1.0;
+
+#define POST_TONE { 0.0, 0.0, 1.0, 0.0 }
+#if TEGUMENT_POST_HALF
+static const float kPostScale = 2.0;
+#else
+static const float kPostScale = 1.0;
+#endif
 
 Texture2D gPostLightMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 Texture2D gPostDepthMap : RENDERCOLORTARGET < PICTURE_TARGET("R32F") >;
@@ -16,17 +26,17 @@ TG_SAMPLER2D(gPostDepth, POINT, CLAMP);
 TG_SAMPLER2D(gPostAlbedo, POINT, CLAMP);
 TG_SAMPLER2D(gPostColor, POINT, CLAMP);
 
-#define FRAME_SCRIPT \
+#define POST_FRAME_SCRIPT \
     LAMPS_SCRIPT SHADOW_MAP_SCRIPT \
     "RenderColorTarget0=gPostLightMap; RenderColorTarget1=gPostDepthMap; RenderColorTarget2=gPostAlbedoMap;" \
     "RenderColorTarget3=gPostColorMap; RenderDepthStencilTarget=gPostTestMap; Clear=Color; Clear=Depth; Pass=Frame;" \
     "RenderColorTarget1=; RenderColorTarget2=; RenderColorTarget3=; RenderDepthStencilTarget=;"
-#define FRAME_PASSES \
+#define POST_FRAME_PASSES \
     LAMPS_PASSES \
     PLANAR_SHADOW_PASS \
-    TG_MESH_PASS(Frame, SurfaceVS, FramePS, TG_STATE_SOLID)
+    TG_MESH_PASS(Frame, SurfaceVS, PostFramePS, TG_STATE_SOLID)
 
-struct FrameOutput
+struct PostFrame
 {
     float4 light : SV_Target0;
     float4 depth : SV_Target1;
@@ -34,7 +44,7 @@ struct FrameOutput
     float4 colour : SV_Target3;
 };
 
-float frameShadow(LitPoint p, float3 facet)
+float postFrameShadow(LitPoint p, float3 facet)
 {
     float own = tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
     float2 slope = tgShadowPlanarSlope(facet, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
@@ -45,18 +55,18 @@ float frameShadow(LitPoint p, float3 facet)
     return own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
 }
 
-FrameOutput FramePS(SurfaceVarying input)
+PostFrame PostFramePS(SurfaceVarying input)
 {
     LitPoint p = surfacePoint(input);
     p.depth = planarDepth(input.lightClip, input.world);
     p.footprint = tgShadowFootprint(input.lightClip.w, tgLightSpread());
-    p.shadow = frameShadow(p, facetNormal(p, ddx(input.world), ddy(input.world)));
+    p.shadow = postFrameShadow(p, facetNormal(p, ddx(input.world), ddy(input.world)));
     float4 colour = tex2D(gSkin, input.uv);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float skin = step(0.5, colour.a);
-    FrameOutput output;
+    PostFrame output;
     float4 clip = mul(float4(input.world, 1.0), gViewProjection);
-    output.light = float4(skin * tgIrradianceBounded(enteringLight(p), kTgLargestHalf), skin * tgPostMask(0.0, 1.0));
+    output.light = float4(skin * tgIrradianceBounded(enteringLight(p), kTgLargestHalf), skin > 0.0 ? tgPostMask(gPostProfile, gPostStrength) : kTgPostCover);
     output.depth = float4(clip.z / clip.w, 0.0, 0.0, 1.0);
     output.albedo = float4(colour.rgb, diffuseShare(dot(p.normal, toEye)));
     p.albedo = colour.rgb;
@@ -66,7 +76,7 @@ FrameOutput FramePS(SurfaceVarying input)
 }
 
 // From (u, v, depth, 1) of the picture to view space: what an engine multiplies once for a frame.
-float4x4 frameFromPicture()
+float4x4 postFrameFromPicture()
 {
     float4x4 p = gProjection;
     float across = p[2][2] * p[3][3] - p[3][2] * p[2][3];

@@ -20,7 +20,15 @@ static const float kTgPostSamples = 64.0;
 static const float kTgPostGrazing = 12.0;
 // Coarsest level that samples read, and how much finer than their distance it is.
 static const float kTgPostCoarsest = 6.0;
-static const float kTgPostFiner = 0.5;
+static const float kTgPostFiner = 1.0;
+// Exponent of a Gaussian's weight in the share of samples that it gets: 1 leaves wide and faint ones too few.
+static const float kTgPostEven = 0.4;
+// pi (3 - sqrt 5), from sample to sample.
+static const float kTgPostAngle = 2.39996323;
+// Pixels by which noise moves from frame to frame (Jimenez 2014).
+static const float kTgPostFrameStep = 5.588238;
+// Share of its area with which what covers skin counts: half of the skin below is dark.
+static const float kTgPostCovered = 0.5;
 // Samples within this share of a pixel's area are the pixel's own light.
 static const float kTgPostOwn = 0.5;
 
@@ -28,6 +36,15 @@ static const float kTgPostOwn = 0.5;
 float tgPostMask(float profile, float strength)
 {
     return (profile + 0.0625 + 0.875 * saturate(strength)) / kTgPostProfiles;
+}
+
+// Of what covers skin, eyes, cloth, hair: dark skin to those around it.
+static const float kTgPostCover = 0.001;
+
+// With which share of its area a pixel counts: 1 for skin, less for what covers it.
+float tgPostCounts(float mask)
+{
+    return mask > 2.0 * kTgPostCover ? 1.0 : mask > 0.0 ? kTgPostCovered : 0.0;
 }
 
 float tgPostProfile(float mask)
@@ -92,24 +109,29 @@ float tgPostSpread(TgPostView view, float z)
     return abs(u.x * v.y - u.y * v.x);
 }
 
-// Change of z to the next pixel, of two neighbours by the one that is nearer; step: mm across a pixel. Where there is none, or it is another
-// surface, 0. before, after: z, and 1 for skin.
-float tgPostSlope(float2 before, float z, float2 after, float step)
+// Change of z to the next pixel, by the nearer one of two neighbours; where none is near, 0. before, after: z, and above 0 where there is
+// a surface.
+float tgPostSlope(TgPostView view, float2 pixel, float2 before, float z, float2 after)
 {
+    float step = sqrt(tgPostSpread(view, z) * pixel.x * pixel.y);
     float2 way = float2(before.y > 0.0 ? z - before.x : 1e9, after.y > 0.0 ? after.x - z : 1e9);
     float change = abs(way.x) < abs(way.y) ? way.x : way.y;
     return abs(change) < kTgPostGrazing * step ? change : 0.0;
 }
 
-// Ways to the next pixels along the surface: of origin + z ray, changes included. slope: of z, to the right and down.
-float3 tgPostTangent(TgPostView view, float2 uv, float z, float2 axis, float slope)
+// Derivative of the place by pixels along the surface: of the ray, and of z along it. way: one pixel, in uv.
+float3 tgPostTangent(TgPostView view, float2 uv, float2 way, float z, float slope)
 {
-    return tgPostPlace(view, uv + axis, z + slope) - tgPostPlace(view, uv, z);
+    float3 origin = way.x * view.originU + way.y * view.originV;
+    float3 aside = way.x * view.rayU + way.y * view.rayV;
+    return origin + z * aside + slope * (view.ray + uv.x * view.rayU + uv.y * view.rayV);
 }
 
-// mm^2 of surface in a pixel over those of one that faces the eye. pixel: its size in uv.
-float tgPostGrazing(TgPostView view, float z, float2 pixel, float3 right, float3 down)
+// mm^2 of surface in a pixel over those of one that faces the eye. slope: of z to the right and down.
+float tgPostGrazing(TgPostView view, float2 uv, float2 pixel, float z, float2 slope)
 {
+    float3 right = tgPostTangent(view, uv, float2(pixel.x, 0.0), z, slope.x);
+    float3 down = tgPostTangent(view, uv, float2(0.0, pixel.y), z, slope.y);
     float facing = tgPostSpread(view, z) * pixel.x * pixel.y;
     return clamp(length(cross(right, down)) / max(facing, 1e-12), 1.0, kTgPostGrazing);
 }
@@ -119,6 +141,12 @@ float2 tgPostZ(TG_SAMPLER2D_PARAM(depth), float2 uv)
 {
     float2 texel = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).xy;
     return float2(texel.x / max(texel.y, 1e-6), step(1e-3, texel.y));
+}
+
+// Texel of the profiles' table. gaussian: weight (RGB) and variance, mm^2.
+float4 tgPostStored(float4 gaussian)
+{
+    return float4(gaussian.rgb / (2.0 * kTgPi * gaussian.w), 0.5 * 1.44269504 / gaussian.w);
 }
 
 // R at a squared distance. gaussians: rows of the table.
@@ -145,14 +173,14 @@ void tgPostRead(TG_SAMPLER2D_PARAM(profiles), float row, out float4 gaussians[6]
         gaussians[i] = TG_TEX2DLOD(profiles, float4((i + 0.5) / kTgPostGaussians, (row + 0.5) / kTgPostProfiles, 0.0, 0.0));
 }
 
-// Share of samples within a squared distance: the widest channel of each Gaussian, its square root, so that wide and faint ones have some.
+// Share of samples within a squared distance, by the strongest channel of each Gaussian.
 float tgPostChance(float4 gaussians[6], float square)
 {
     float2 sum = float2(0.0, 1e-9);
     [unroll] for (int i = 0; i < 6; i++)
     {
         float3 weight = gaussians[i].rgb * (4.53236014 / gaussians[i].w);
-        float most = sqrt(max(weight.x, max(weight.y, weight.z)));
+        float most = pow(max(max(weight.x, max(weight.y, weight.z)), 1e-9), kTgPostEven);
         sum += most * float2(1.0 - exp2(-square * gaussians[i].w), 1.0);
     }
     return sum.x / sum.y;
@@ -182,65 +210,107 @@ float4 tgPostTap(float4 gaussians[6], float i, float count)
     return float4(min(share / max(here, 1e-9), 4.0 * area), radius);
 }
 
-// Squared radius of the first tap.
-float tgPostFirst(TG_SAMPLER2D_PARAM(kernels), float row)
+// The disc in the surface's plane at a pixel, over which samples are spread.
+struct TgPostDisc
 {
-    float radius = TG_TEX2DLOD(kernels, float4(0.5 / kTgPostSamples, (row + 0.5) / kTgPostProfiles, 0.0, 0.0)).w;
-    return radius * radius;
+    float2 uv;
+    float2 pixel;
+    float3 here;
+    float3 axisU, axisV;
+    float2 rise; // way to the next row along the axes, mm
+    float wide;  // to the next column
+    float area;  // mm^2 of surface in a pixel
+};
+
+// pixel: its size, in uv; slope: of z to the next one to the right and down.
+TgPostDisc tgPostDisc(TgPostView view, float2 uv, float2 pixel, float z, float2 slope)
+{
+    float3 right = tgPostTangent(view, uv, float2(pixel.x, 0.0), z, slope.x);
+    float3 down = tgPostTangent(view, uv, float2(0.0, pixel.y), z, slope.y);
+    TgPostDisc disc;
+    float3 normal = cross(right, down);
+    disc.uv = uv;
+    disc.pixel = pixel;
+    disc.here = tgPostPlace(view, uv, z);
+    disc.area = max(length(normal), 1e-12);
+    disc.wide = max(length(right), 1e-9);
+    disc.axisU = right / disc.wide;
+    disc.axisV = cross(normal / disc.area, disc.axisU);
+    disc.rise = float2(dot(down, disc.axisU), dot(down, disc.axisV));
+    return disc;
 }
 
-// light: light times grazing, and grazing; depth: z times grazing, and grazing; both with levels. uv: a pixel whose z is given;
-// right, down: ways to the next pixels of size `pixel`. turn: of the pattern, 0 to 1.
-float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAMPLER2D_PARAM(kernels), float4 gaussians[6], float row,
-    float count, TgPostView view, float2 uv, float2 pixel, float z, float3 right, float3 down, float turn, float fill)
+// Whether a sample of the table is the pixel's own light.
+bool tgPostWithin(TgPostDisc disc, float4 tap)
 {
-    float3 here = tgPostPlace(view, uv, z);
-    float3 normal = cross(right, down);
-    float area = length(normal); // mm^2 of surface in the pixel
-    normal /= max(area, 1e-12);
-    float wide = length(right);
-    float3 axisU = right / max(wide, 1e-9);
-    float3 axisV = cross(normal, axisU);
-    float2 rise = float2(dot(down, axisU), dot(down, axisV));
-    float spread = area / (pixel.x * pixel.y);
-    float4 centre = TG_TEX2DLOD(light, float4(uv, 0.0, 0.0));
-    float3 own = centre.rgb / max(centre.a, 1e-6);
-    float3 sum = float3(0.0, 0.0, 0.0);
-    float3 total = float3(0.0, 0.0, 0.0);
-    float inner = 0.0;
-    float merged = kTgPi * tgPostFirst(TG_SAMPLER2D_ARG(kernels), row) < kTgPostOwn * area ? 1.0 : 0.0;
+    return kTgPi * tap.w * tap.w < kTgPostOwn * disc.area;
+}
+
+// Where sample i reads: uv, and the level that is as coarse as the samples are far apart.
+float3 tgPostTarget(TgPostDisc disc, float4 tap, float i, float turn)
+{
+    float angle = kTgPostAngle * i + 2.0 * kTgPi * turn;
+    float2 way = tap.w * float2(cos(angle), sin(angle));
+    float2 pixels;
+    pixels.y = way.y / disc.rise.y;
+    pixels.x = (way.x - pixels.y * disc.rise.x) / disc.wide;
+    float level = clamp(0.5 * log2(max(tap.x, 1e-9) / disc.area) - kTgPostFiner, 0.0, kTgPostCoarsest);
+    return float3(disc.uv + pixels * disc.pixel, level);
+}
+
+// The sum over the samples, and over their weights.
+struct TgPostSum
+{
+    float3 light, weight;
+    float inner; // radius of what is the pixel's own, mm
+    bool outside;
+};
+
+// lit, deep: what the two maps hold at target.xy.
+void tgPostAdd(inout TgPostSum sum, TgPostView view, TgPostDisc disc, float4 gaussians[6], float4 tap, float2 at, float4 lit, float2 deep)
+{
+    float there = deep.x / max(deep.y, 1e-6);
+    float3 apart = tgPostPlace(view, at, there) - disc.here;
+    float bigger = tgPostSpread(view, there) * disc.pixel.x * disc.pixel.y / disc.area;
+    float3 weight = tap.rgb * tgPostReflectance(gaussians, dot(apart, apart)) * bigger;
+    sum.light += weight * lit.rgb;
+    sum.weight += weight * lit.a;
+    // From the middle between the last sample within the pixel and the first one outside.
+    sum.inner = !sum.outside && sum.inner > 0.0 ? 0.5 * (sum.inner + tap.w) : sum.inner;
+    sum.outside = true;
+}
+
+// own: light at the pixel itself.
+float3 tgPostMean(TgPostSum sum, float4 gaussians[6], float3 own)
+{
+    float3 mine = tgPostShare(gaussians, sum.inner * sum.inner);
+    return (sum.light + mine * own) / max(sum.weight + mine, 1e-6);
+}
+
+float4 tgPostTapOf(TG_SAMPLER2D_PARAM(kernels), float row, float i)
+{
+    return TG_TEX2DLOD(kernels, float4((i + 0.5) / kTgPostSamples, (row + 0.5) / kTgPostProfiles, 0.0, 0.0));
+}
+
+// light: light times grazing, and grazing; depth: z times grazing, and grazing; both with levels, LINEAR. turn: of the pattern, 0 to 1.
+float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAMPLER2D_PARAM(kernels), float4 gaussians[6], float row,
+    float count, TgPostView view, TgPostDisc disc, float3 own, float turn)
+{
+    TgPostSum sum = (TgPostSum)0;
     [loop] for (float i = 0.0; i < count; i += 1.0)
     {
-        float4 tap = TG_TEX2DLOD(kernels, float4((i + 0.5) / kTgPostSamples, (row + 0.5) / kTgPostProfiles, 0.0, 0.0));
-        // Within a pixel: its own light.
-        [branch] if (kTgPi * tap.w * tap.w < kTgPostOwn * area)
-            inner = tap.w;
+        float4 tap = tgPostTapOf(TG_SAMPLER2D_ARG(kernels), row, i);
+        [branch] if (tgPostWithin(disc, tap))
+            sum.inner = tap.w;
         else
         {
-            // From the middle between the last tap within the pixel and the first one outside.
-            inner = merged > 0.5 ? 0.5 * (inner + tap.w) : inner;
-            merged = 0.0;
-            float angle = 2.39996323 * i + 2.0 * kTgPi * turn;
-            float2 way = tap.w * float2(cos(angle), sin(angle));
-            float2 pixels;
-            pixels.y = way.y / rise.y;
-            pixels.x = (way.x - pixels.y * rise.x) / wide;
-            float2 at = uv + pixels * pixel;
-            float level = clamp(0.5 * log2(tap.x / area) - kTgPostFiner, 0.0, kTgPostCoarsest);
-            float4 lit = TG_TEX2DLOD(light, float4(at, 0.0, level));
-            float2 deep = TG_TEX2DLOD(depth, float4(at, 0.0, level)).xy;
-            float there = deep.x / max(deep.y, 1e-6);
-            float3 apart = tgPostPlace(view, at, there) - here;
-            float bigger = tgPostSpread(view, there) / spread;
-            float3 weight = tap.rgb * tgPostReflectance(gaussians, dot(apart, apart)) * bigger;
-            sum += weight * lit.rgb;
-            total += weight * lit.a;
+            float3 target = tgPostTarget(disc, tap, i, turn);
+            float4 lit = TG_TEX2DLOD(light, float4(target.xy, 0.0, target.z));
+            float2 deep = TG_TEX2DLOD(depth, float4(target.xy, 0.0, target.z)).xy;
+            tgPostAdd(sum, view, disc, gaussians, tap, target.xy, lit, deep);
         }
     }
-    float3 mine = tgPostShare(gaussians, inner * inner);
-    sum += mine * own;
-    total += mine;
-    return sum / max(total, 1e-6);
+    return tgPostMean(sum, gaussians, own);
 }
 
 #endif

@@ -7,7 +7,8 @@ float gPostSamples < UI_SLIDER("Samples", 8.0, 64.0, 1.0) > = 24.0;
 float gPostFrame < string UIName = "Frame"; float UIMin = 0.0; float UIMax = 1000000.0;
     string UIHelp = "from 1 on: noise that changes with it, for temporal antialiasing; 0: the same pattern at every pixel"; > = 0.0;
 float4x4 gPostFromPicture < string UIName = "From the picture to view space";
-    string UIHelp = "(u, v, depth as stored, 1) to view space, row vectors; all 0: of this project's projection"; >;
+    string UIHelp = "(u, v, depth as stored, 1) to view space, row vectors; all 0: of this project's projection"; > = {
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 float4 gPostTone[16] < string UIName = "Skins";
     string UIHelp = "of each profile: melanin, blood (0: gGaussianWeight or gMelanin), scale of its widths"; > = {
     POST_TONE, POST_TONE, POST_TONE, POST_TONE, POST_TONE, POST_TONE, POST_TONE, POST_TONE,

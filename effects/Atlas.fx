@@ -5,6 +5,8 @@
 #include "../hlsl/surface.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 

@@ -6,6 +6,8 @@
 #include "../hlsl/light.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"

@@ -4,6 +4,8 @@
 #include "../hlsl/workspace.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/tsm.fxh"
 

@@ -180,13 +180,14 @@ float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float pa
 {
     float3 normal = tgWorldNormal(input.normal);
     float3 strand = tgFurTangent(normal, furHang(), furHeight(input));
-    float3 toLight = tgLightDirection(input.world);
+    TgLight ours = ownLight(input.world);
+    float3 toLight = ours.toLight;
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
     float open = lerp(1.0, tgFurTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
-    float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
+    float3 light = ours.color * (open * passed * ownVisibility(input.world, normal, furShadow(input, normal, toLight)));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
     return WITH_LAMPS(direct + albedo * gFurFill * tgFurFill(furHeight(input), gFurDensity, gFurMultiple),
                       furLamps(input, albedo, normal, strand, toEye, strandsShare));

@@ -323,7 +323,8 @@ float3 fibreColor(LockSeen s, float3 toLight, VertexInput input)
     p.toEye = s.lit.toEye;
     p.albedo = s.lit.albedo;
     FibrePassed passed = fibrePassed(s.world, kLockHeight * s.lit.height, dot(p.normal, toLight), s.pixel);
-    float3 color = fibreLight(p, toLight, gLightColor, passed, fibreStraight(p, toLight, passed));
+    float3 light = ownLight(s.world).color * ownVisibility(s.world, float3(0.0, 0.0, 0.0), 1.0);
+    float3 color = fibreLight(p, toLight, light, passed, fibreStraight(p, toLight, passed));
     float3 normal = tgWorldNormal(meshVertex(input).normal);
     color += fibreSurroundings(p, normal, s.lit.height);
     return WITH_LAMPS(color, fibreLamps(p, s.world, s.lit.height, input));
@@ -335,15 +336,16 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
                  VertexInput input)
 {
     LockSeen s = lockSeen(looks, ribbon, frame, offset, tangent, under, input);
-    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
+    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset)) + strandsAxes(ownLightTurned(s.world), input);
 #ifdef TEGUMENT_COMPUTE
     if (fibres)
         return fibreColor(s, toLight, input);
 #endif
-    float3 lit = lockLight(s.lit, toLight, 1.0, coatOpen(s.world, s.pixel), under) + lockSurroundings(s.lit, s.up);
+    float open = ownVisibility(s.world, float3(0.0, 0.0, 0.0), coatOpen(s.world, s.pixel));
+    float3 lit = lockLight(s.lit, toLight, 1.0, open, under) + lockSurroundings(s.lit, s.up);
     if (under < 0.5)
         lit += lockRim(s.lit, s.up);
-    return WITH_LAMPS(lit * gLightColor, lockLamps(s.lit, s.world, under, input));
+    return WITH_LAMPS(lit * ownLight(s.world).color, lockLamps(s.lit, s.world, under, input));
 }
 
 RibbonVarying lockVarying(VertexInput input, float child, float under, bool fibres)
@@ -447,9 +449,11 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     float cosine = dot(normal, gFurDown);
     float pixel = ribbonPixel() * length(gCameraPosition - input.world);
     float3 albedo = undercoatAlbedo(cosine, pixel);
-    float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world, pixel);
+    TgLight ours = ownLight(input.world);
+    float open = ownVisibility(input.world, normal, coatOpen(input.world, pixel));
+    float lit = saturate(0.7 * dot(normal, ours.toLight) + 0.3) * open;
     float3 around = lerp(gCoatSky, gCoatGround, 0.5 + 0.5 * cosine);
-    return float4(albedo * gLightColor * (0.5 * lit + 0.12 * around), 1.0);
+    return float4(albedo * ours.color * (0.5 * lit + 0.12 * around), 1.0);
 }
 
 #define LOCK_SHARE LOCK_SHARE_OF("gCoatThin")

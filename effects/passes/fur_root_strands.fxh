@@ -98,12 +98,12 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     float height = along * strand.share;
     float3 axis = tgFurAlong(strand.normal + 2.0 * height * strand.lean);
 #endif
-    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
     float3 world = ribbonWorld(frame, offset, input);
+    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset)) + strandsAxes(ownLightTurned(world), input);
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    float open = furSkinShadow(lightClip, furFromLight(world)) *
+    float open = ownVisibility(world, float3(0.0, 0.0, 0.0), furSkinShadow(lightClip, furFromLight(world))) *
                  tgFurTransmittance(height, dot(strand.normal, toLight), gFurDensity, gFurLength);
-    float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * gLightColor * open;
+    float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * ownLight(world).color * open;
     return WITH_LAMPS(direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple),
                       rootStrandLamps(strand, albedo, axis, height, tgSafeNormalize(frame.toEye - offset), world, input));
 }

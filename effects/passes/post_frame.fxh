@@ -52,7 +52,8 @@ float postFrameShadow(LitPoint p, float3 facet)
     p.meshNormal = facet;
     PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
     TgShadowTaps taps = tgShadowTapsOfTexels(at.uv);
-    return own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
+    float lit = own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
+    return ownVisibility(p.world, p.meshNormal, lit);
 }
 
 PostFrame PostFramePS(SurfaceVarying input)

@@ -68,7 +68,10 @@ LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
     p.scatters = albedo.a;
     p.normal = tgWorldNormal(normal);
     p.meshNormal = tgWorldNormal(tex2Dlod(gAtlasMeshNormal, float4(uv, 0.0, 0.0)).xyz);
-    p.toLight = tgLightDirection(world);
+    TgLight light = ownLight(world);
+    p.world = world;
+    p.light = light.color;
+    p.toLight = light.toLight;
     p.cosine = dot(p.normal, p.toLight);
     p.shadow = 1.0;
     p.lightUv = tgShadowCoordinate(lightClip);
@@ -106,6 +109,7 @@ float entryShadow(LitPoint p, float3 facet, float density)
         if (narrow)
             taps = tgShadowTapsOfTexels(at.uv);
         lit = own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
+        lit = ownVisibility(p.world, p.meshNormal, lit);
     }
     return lit;
 }

@@ -47,6 +47,8 @@ struct LitPoint
     float footprint; // of one of its texels, mm
     float3 axisX;    // the light's right
     float3 axisY;    // and up
+    float3 world;
+    float3 light; // colour of the workspace's light
     MORE_LIGHT_MEMBERS
     LOBE_MEMBERS
 };
@@ -81,7 +83,10 @@ LitPoint surfacePoint(SurfaceVarying input, float3 normal)
     p.scatters = 1.0;
     p.normal = normal;
     p.meshNormal = tgSafeNormalize(input.normal);
-    p.toLight = tgLightDirection(input.world);
+    TgLight light = ownLight(input.world);
+    p.world = input.world;
+    p.light = light.color;
+    p.toLight = light.toLight;
     p.cosine = dot(p.normal, p.toLight);
     p.shadow = 1.0;
     p.lightUv = tgShadowCoordinate(input.lightClip);
@@ -108,7 +113,8 @@ LitPoint surfacePoint(SurfaceVarying input)
 float surfaceShadow(TG_SAMPLER2D_PARAM(map), LitPoint p)
 {
     float2 slope = tgShadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
-    return tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope) * tgShadowHorizon(dot(p.meshNormal, p.toLight));
+    float lit = tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope);
+    return ownVisibility(p.world, p.meshNormal, lit * tgShadowHorizon(dot(p.meshNormal, p.toLight)));
 }
 
 #endif

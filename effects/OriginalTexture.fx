@@ -16,7 +16,7 @@ struct TextureVarying
     float2 uv : TEXCOORD0;
 };
 
-TextureVarying TextureVS(VertexInput stored)
+TextureVarying TextureVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     TextureVarying output;

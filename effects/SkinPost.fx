@@ -7,7 +7,6 @@
 #include "../hlsl/light.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
-#include "../hlsl/scatter/post.fxh"
 #include "../hlsl/peers/screen.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"

@@ -11,7 +11,7 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("TSM") > = 0.8;
 
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gTsm, float4(input.uv, 0.0, 0.0));
     float depth = kTgDepthInMillimetres
@@ -25,7 +25,7 @@ technique TSM < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     TSM_PASS
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

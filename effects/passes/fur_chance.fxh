@@ -20,7 +20,7 @@ struct ChanceVarying
 };
 
 // number: of the strand in its lock, underfur from kLockOfUnderfur on.
-ChanceVarying chanceVarying(RibbonVarying ribbon, VertexInput input, float number)
+ChanceVarying chanceVarying(RibbonVarying ribbon, TgVertexInput input, float number)
 {
     ChanceVarying output;
     output.position = ribbon.position;
@@ -30,13 +30,13 @@ ChanceVarying chanceVarying(RibbonVarying ribbon, VertexInput input, float numbe
     return output;
 }
 
-ChanceVarying ChanceLocksVS(TG_LAYER_INPUT(VertexInput, input))
+ChanceVarying ChanceLocksVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     float child = TG_LAYER_INDEX(gFurChild);
     return chanceVarying(lockVarying(input, child, 0.0, true), input, child);
 }
 
-ChanceVarying ChanceUnderfurVS(TG_LAYER_INPUT(VertexInput, input))
+ChanceVarying ChanceUnderfurVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     float child = TG_LAYER_INDEX(gFurChild);
     return chanceVarying(lockVarying(input, child, 1.0, true), input, child + kLockOfUnderfur);
@@ -87,7 +87,7 @@ ChancePixel ChancePS(ChanceVarying input)
     return output;
 }
 
-OpacityVarying FibreOpacityVS(TG_LAYER_INPUT(VertexInput, input))
+OpacityVarying FibreOpacityVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockOpacity(input, TG_LAYER_INDEX(gFurChild), kFibreUnder);
 }

@@ -64,7 +64,7 @@ float3 furHang()
 }
 
 // Of the mesh at rest, wherever the pose has brought the vertex: fur is found by it. From the bounding sphere's centre, world units.
-float3 furPlace(VertexInput stored)
+float3 furPlace(TgVertexInput stored)
 {
     return tgMeshAxes(tgWorldPosition(stored.position) - gBoundingCenter);
 }
@@ -81,13 +81,13 @@ float3 furFromAxes(float3 v)
 }
 
 // A direction of the world in the axes of the mesh at rest.
-float3 strandsAxes(float3 v, VertexInput stored)
+float3 strandsAxes(float3 v, TgVertexInput stored)
 {
     return vertexTurnedBack(tgMeshAxes(v), stored);
 }
 
 // heights: as furHeights; round: as furRound.
-FurVarying furVarying(VertexInput stored, float2 heights, float round)
+FurVarying furVarying(TgVertexInput stored, float2 heights, float round)
 {
     TgMeshInput input = meshVertex(stored);
     FurVarying output;
@@ -110,7 +110,7 @@ FurVarying furVarying(VertexInput stored, float2 heights, float round)
     return output;
 }
 
-FurVarying SkinVS(VertexInput input)
+FurVarying SkinVS(TgVertexInput input)
 {
     return furVarying(input, float2(0.0, 1.0), kFurNear);
 }

@@ -144,7 +144,7 @@ float furFade(float width)
 }
 
 // Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
-StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, float round)
+StrandsVarying strandsVarying(TgVertexInput input, float layer, FurGrowth growth, float round)
 {
     float height = tgFurLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, float2(height, 1.0), round);

@@ -1,5 +1,5 @@
-// Passes of SkinPost over the buffers of an engine: gPostLight, gPostDepth, gPostAlbedo, gPostColor (passes/post_frame.fxh says what they
-// hold). Profiles and Kernels make tables, once; Prepare joins light and depth to maps with levels; Diffuse gathers, and writes the picture.
+// Passes of SkinPost over the buffers of an engine: gPostLight, gPostDepth, gPostAlbedo, gPostColor (post_frame.fxh says what they hold).
+// Profiles and Kernels make tables, once; Prepare joins light and depth to maps with levels; Diffuse gathers, and writes the picture.
 #ifndef TEGUMENT_PASSES_POST_FXH
 #define TEGUMENT_PASSES_POST_FXH
 
@@ -37,7 +37,7 @@ float4 postGaussian(int k, float4 tone)
     return float4(gaussian.rgb, gaussian.w * tone.z * tone.z);
 }
 
-float4 PostProfilesPS(QuadVarying input) : SV_Target0
+float4 PostProfilesPS(TgQuadVarying input) : SV_Target0
 {
     float i = floor(input.uv.x * kTgPostGaussians);
     float row = floor(input.uv.y * kTgPostProfiles);
@@ -50,7 +50,7 @@ float4 PostProfilesPS(QuadVarying input) : SV_Target0
     return tgPostStored(gaussian);
 }
 
-float4 PostKernelsPS(QuadVarying input) : SV_Target0
+float4 PostKernelsPS(TgQuadVarying input) : SV_Target0
 {
     float4 gaussians[6];
     tgPostRead(TG_SAMPLER2D_ARG(gPostProfiles), floor(input.uv.y * kTgPostProfiles), gaussians);
@@ -77,7 +77,7 @@ struct PostPrepared
     float4 depth : SV_Target1;
 };
 
-PostPrepared PostPreparePS(QuadVarying input)
+PostPrepared PostPreparePS(TgQuadVarying input)
 {
     float2 uv = input.uv;
     float2 pixel = 1.0 / gViewportSize;
@@ -132,7 +132,7 @@ float3 postLeaving(float4 light, float4 albedo, float3 diffused)
     return mixed * tgIrradianceColour(albedo.rgb, 1.0 - gMix) * albedo.a;
 }
 
-float4 PostDiffusePS(QuadVarying input) : SV_Target0
+float4 PostDiffusePS(TgQuadVarying input) : SV_Target0
 {
     float2 uv = input.uv;
     float4 colour = tex2Dlod(gPostColor, float4(uv, 0.0, 0.0));
@@ -158,13 +158,13 @@ float4 PostDiffusePS(QuadVarying input) : SV_Target0
     "RenderColorTarget0=gPostKernelsMap; Pass=Kernels;" \
     "RenderColorTarget0=gPostAreaLightMap; RenderColorTarget1=gPostAreaDepthMap; Pass=Prepare; RenderColorTarget1=;"
 #define POST_PREPARE_PASSES \
-    TG_QUAD_PASS(Profiles, QuadVS, PostProfilesPS, TG_STATE_BUFFER) \
-    TG_QUAD_PASS(Kernels, QuadVS, PostKernelsPS, TG_STATE_BUFFER) \
-    TG_QUAD_PASS(Prepare, QuadVS, PostPreparePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Profiles, TgQuadVS, PostProfilesPS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(Kernels, TgQuadVS, PostKernelsPS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(Prepare, TgQuadVS, PostPreparePS, TG_STATE_BUFFER)
 #define POST_SCRIPT POST_PREPARE_SCRIPT "RenderColorTarget0=; Pass=Diffuse;"
 #define POST_PASSES \
     POST_PREPARE_PASSES \
-    TG_OVER_PASS(Diffuse, QuadVS, PostDiffusePS, TG_STATE_BUFFER)
+    TG_OVER_PASS(Diffuse, TgQuadVS, PostDiffusePS, TG_STATE_BUFFER)
 
 #endif
 // SPDX-License-Identifier: MIT

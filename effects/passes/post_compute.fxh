@@ -6,7 +6,7 @@
 Texture2D gPostDiffusedMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 TG_SAMPLER2D(gPostDiffused, POINT, CLAMP);
 
-float4 PostComposePS(QuadVarying input) : SV_Target0
+float4 PostComposePS(TgQuadVarying input) : SV_Target0
 {
     float4 colour = tex2Dlod(gPostColor, float4(input.uv, 0.0, 0.0));
     clip(colour.a - 0.5);
@@ -106,7 +106,7 @@ void PostDiffuseTilesCS(uint3 tile : SV_GroupID, uint3 thread : SV_DispatchThrea
 #define POST_COMPUTE_PASSES \
     POST_PREPARE_PASSES \
     TG_COMPUTE_PASS(DiffuseTiles, PostDiffuseTilesCS, "gPostDiffusedMap") \
-    TG_OVER_PASS(Compose, QuadVS, PostComposePS, TG_STATE_BUFFER)
+    TG_OVER_PASS(Compose, TgQuadVS, PostComposePS, TG_STATE_BUFFER)
 
 #endif
 // SPDX-License-Identifier: MIT

@@ -1,8 +1,8 @@
 // Pass Frame: what an engine's own frame holds before SkinPost, drawn by this project's light. gPostLightMap: light that crosses into skin,
 // without colour, alpha tgPostMask. gPostDepthMap: depth as a depth buffer holds it. gPostAlbedoMap: colour, alpha the share of light that
 // leaves towards the eye. gPostColorMap: the engine's picture: reflection, and all that is no skin; alpha 1 where the mesh is.
-#ifndef TEGUMENT_PASSES_POST_POST_FRAME_FXH
-#define TEGUMENT_PASSES_POST_POST_FRAME_FXH
+#ifndef TEGUMENT_PASSES_POST_FRAME_FXH
+#define TEGUMENT_PASSES_POST_FRAME_FXH
 
 float4x4 gProjection : PROJECTION < string UIWidget = "None"; >;
 
@@ -67,7 +67,8 @@ PostFrame PostFramePS(SurfaceVarying input)
     float skin = step(0.5, colour.a);
     PostFrame output;
     float4 clip = mul(float4(input.world, 1.0), gViewProjection);
-    output.light = float4(skin * tgIrradianceBounded(enteringLight(p), kTgLargestHalf), skin > 0.0 ? tgPostMask(gPostProfile, gPostStrength) : kTgPostCover);
+    float3 entering = skin * tgIrradianceBounded(enteringLight(p), kTgLargestHalf);
+    output.light = float4(entering, skin > 0.0 ? tgPostMask(gPostProfile, gPostStrength) : kTgPostCover);
     output.depth = float4(clip.z / clip.w, 0.0, 0.0, 1.0);
     output.albedo = float4(colour.rgb, diffuseShare(dot(p.normal, toEye)));
     p.albedo = colour.rgb;

@@ -13,7 +13,7 @@ struct FinalVarying
     float4 tangent : TEXCOORD3;
 };
 
-FinalVarying PyramidFinalVS(VertexInput stored)
+FinalVarying PyramidFinalVS(TgVertexInput stored)
 {
     SurfaceVarying surface = SurfaceVS(stored);
     FinalVarying output;

@@ -13,12 +13,12 @@ Texture2D gShineMap : SHINE < float4 Fallback = { 0.50196, 0.50196, 0.0, 1.0 }; 
 TG_SAMPLER2D(gShine, LINEAR, WRAP);
 
 #define LOBE_MEMBERS float meanNormal; float2 shine;
-#define SKIN_INTENSITY(p) (gSpecularIntensity * p.shine.y)
+#define TG_SKIN_INTENSITY(p) (gSpecularIntensity * p.shine.y)
 #define SHINE_AT(p, uv) p.shine = tex2Dlod(gShine, float4(uv, 0.0, 0.0)).xy * (255.0 / 128.0);
 #define LOBES_AT(p, texel) p.meanNormal = length((texel) * 2.0 - 1.0);
 #else
 #define LOBE_MEMBERS
-#define SKIN_INTENSITY(p) gSpecularIntensity
+#define TG_SKIN_INTENSITY(p) gSpecularIntensity
 #define SHINE_AT(p, uv)
 #define LOBES_AT(p, texel)
 #endif
@@ -53,7 +53,7 @@ struct LitPoint
     LOBE_MEMBERS
 };
 
-SurfaceVarying surfaceVarying(VertexInput stored)
+SurfaceVarying surfaceVarying(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     SurfaceVarying output;
@@ -67,7 +67,7 @@ SurfaceVarying surfaceVarying(VertexInput stored)
 }
 
 // The surface on the picture.
-SurfaceVarying SurfaceVS(VertexInput input)
+SurfaceVarying SurfaceVS(TgVertexInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
     output.position = TG_HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);

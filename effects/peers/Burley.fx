@@ -62,7 +62,7 @@ technique Burley##samples < string Script = \
     SCATTERED_SCRIPT; > \
 { \
     LIGHT_PASSES \
-    TG_QUAD_PASS(Gather, QuadVS, Gather##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(Gather, TgQuadVS, Gather##samples##PS, TG_STATE_BUFFER) \
     SCATTERED_PASS \
 }
 

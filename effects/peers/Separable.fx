@@ -62,8 +62,8 @@ technique Separable##samples < string Script = \
     SCATTERED_SCRIPT; > \
 { \
     LIGHT_PASSES \
-    TG_QUAD_PASS(AlongX, QuadVS, AlongX##samples##PS, TG_STATE_BUFFER) \
-    TG_QUAD_PASS(AlongY, QuadVS, AlongY##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(AlongX, TgQuadVS, AlongX##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(AlongY, TgQuadVS, AlongY##samples##PS, TG_STATE_BUFFER) \
     SCATTERED_PASS \
 }
 

@@ -21,7 +21,7 @@ constexpr Sunlit kSunlit[] = {{"Main.fx", "Lambert"},         {"Main.fx", "DEonL
                               {"Specular.fx", "Specular"},    {"SkinPost.fx", "SkinPost"}, {"peers/Separable.fx", "Separable7"},
                               {"peers/Burley.fx", "Burley20"}};
 
-class EngineLight : public Run {
+class EngineLight : public Run, public testing::WithParamInterface<Sunlit> {
 protected:
     void SetUp() override {
         Run::SetUp();
@@ -77,19 +77,21 @@ private:
     fs::path atlas_;
 };
 
-TEST_F(EngineLight, is_the_engines_alone_in_colour_and_in_cascades) {
-    for (const Sunlit& what : kSunlit) {
-        const Image lit = drawn(what, 1e6, 1.0, 0.5);
-        const Image dark = drawn(what, 0.0, 1.0, 0.5);
-        const Image brighter = drawn(what, 1e6, 2.0, 0.5);
-        ASSERT_FALSE(lit.pixels.empty() || dark.pixels.empty() || brighter.pixels.empty()) << what.technique;
-        EXPECT_GT(sum(lit, 0), 1.0) << what.technique << ": the sun does not reach it";
-        EXPECT_LT(sum(dark, 0), 1e-3 * sum(lit, 0)) << what.technique << ": the second cascade does not hide the sun";
-        // Halves of maps round to 2^-11.
-        EXPECT_NEAR(sum(brighter, 0), 2.0 * sum(lit, 0), 2e-3 * sum(lit, 0)) << what.technique;
-        EXPECT_NEAR(sum(brighter, 1), sum(lit, 1), 2e-3 * sum(lit, 1)) << what.technique;
-    }
+TEST_P(EngineLight, is_the_engines_alone_in_colour_and_in_cascades) {
+    const Sunlit what = GetParam();
+    const Image lit = drawn(what, 1e6, 1.0, 0.5);
+    const Image dark = drawn(what, 0.0, 1.0, 0.5);
+    const Image brighter = drawn(what, 1e6, 2.0, 0.5);
+    ASSERT_FALSE(lit.pixels.empty() || dark.pixels.empty() || brighter.pixels.empty());
+    EXPECT_GT(sum(lit, 0), 1.0) << "the sun does not reach it";
+    EXPECT_LT(sum(dark, 0), 1e-3 * sum(lit, 0)) << "the second cascade does not hide the sun";
+    // Halves of maps round to 2^-11.
+    EXPECT_NEAR(sum(brighter, 0), 2.0 * sum(lit, 0), 2e-3 * sum(lit, 0));
+    EXPECT_NEAR(sum(brighter, 1), sum(lit, 1), 2e-3 * sum(lit, 1));
 }
+
+INSTANTIATE_TEST_SUITE_P(Techniques, EngineLight, testing::ValuesIn(kSunlit),
+                         [](const auto& tested) { return std::string(tested.param.technique); });
 
 } // namespace
 } // namespace tegument::test

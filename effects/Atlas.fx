@@ -5,6 +5,8 @@
 #include "../hlsl/surface.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 
@@ -42,7 +44,7 @@ struct AtlasVarying
     float3 world : TEXCOORD4; // mm
 };
 
-AtlasVarying AtlasVS(VertexInput stored)
+AtlasVarying AtlasVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     AtlasVarying output;
@@ -100,7 +102,7 @@ float smoothDensity(float2 uv)
 }
 
 // Outside the charts: the density of what is near, round.
-float4 MetricPS(QuadVarying input) : SV_Target0
+float4 MetricPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gAtlasCharts, float4(input.uv, 0.0, 0.0));
     [unroll] for (int level = 1; level <= kGapLevels; level++)
@@ -115,7 +117,7 @@ float4 MetricPS(QuadVarying input) : SV_Target0
     return texel.w > 0.5 ? texel : float4(0.0, 0.0, all.z / max(all.w, 1e-6), 0.0);
 }
 
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     float density = sqrt(tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).z);
     return float4(float3(1.0, 1.0, 1.0) * density * kShownTexel, 1.0);
@@ -136,8 +138,8 @@ technique Atlas < string Script =
     TG_MESH_PASS(MeshNormal, AtlasVS, MeshNormalPS, TG_STATE_BUFFER)
     TG_MESH_PASS(Tangent, AtlasVS, TangentPS, TG_STATE_BUFFER)
     TG_MESH_PASS(Charts, AtlasVS, ChartsPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Metric, QuadVS, MetricPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Metric, TgQuadVS, MetricPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

@@ -9,6 +9,8 @@
 #include "../hlsl/scatter.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
@@ -40,7 +42,7 @@ struct ConstantVarying
     float4 position : SV_Position;
 };
 
-ConstantVarying ConstantVS(VertexInput stored)
+ConstantVarying ConstantVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     ConstantVarying output;
@@ -54,7 +56,7 @@ float4 ConstantPS(ConstantVarying input) : SV_Target0
 }
 
 // Alpha: 1 inside the charts of the irradiance, 0 outside.
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     float4 uv = float4(input.uv, 0.0, 0.0);
     float4 first = tex2Dlod(gIrradiance, uv);
@@ -64,13 +66,13 @@ float4 ShowPS(QuadVarying input) : SV_Target0
     return float4(sum, 1.0) * tgSeamValidity(first);
 }
 
-float4 ShowOddPS(QuadVarying input) : SV_Target0
+float4 ShowOddPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gBlurOdd, float4(input.uv, 0.0, 0.0));
     return float4(texel.rgb, 1.0) * tgSeamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
 }
 
-float4 ShowEvenPS(QuadVarying input) : SV_Target0
+float4 ShowEvenPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gBlurEven, float4(input.uv, 0.0, 0.0));
     return float4(texel.rgb, 1.0) * tgSeamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
@@ -88,7 +90,7 @@ technique Convolution < string Script =
     TSM_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
     CASCADE_PASSES(TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique White < string Script =
@@ -98,7 +100,7 @@ technique White < string Script =
 {
     TG_MESH_PASS(Constant, ConstantVS, ConstantPS, TG_STATE_BUFFER)
     CASCADE_PASSES(TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique Poisson < string Script =
@@ -112,8 +114,8 @@ technique Poisson < string Script =
     TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
     BLUR_PASSES_1_TO_3(TG_STATE_BUFFER)
     BLUR_PASSES_4_TO_6(TG_STATE_BUFFER)
-    TG_QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowOdd, TgQuadVS, ShowOddPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowEven, TgQuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 
 technique WhitePoisson < string Script =
@@ -124,8 +126,8 @@ technique WhitePoisson < string Script =
     TG_MESH_PASS(Constant, ConstantVS, ConstantPS, TG_STATE_BUFFER)
     BLUR_PASSES_1_TO_3(TG_STATE_BUFFER)
     BLUR_PASSES_4_TO_6(TG_STATE_BUFFER)
-    TG_QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowOdd, TgQuadVS, ShowOddPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowEven, TgQuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

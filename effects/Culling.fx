@@ -6,6 +6,8 @@
 #include "../hlsl/cull.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/cull.fxh"
@@ -35,7 +37,7 @@ struct PanelVarying
     float4 clip : TEXCOORD2; // panels of the mesh as a whole: a point in the middle of the view
 };
 
-CauseVarying HiddenVS(VertexInput stored)
+CauseVarying HiddenVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     CauseVarying output;
@@ -60,7 +62,7 @@ float4 HiddenPS(CauseVarying input) : SV_Target0
 }
 
 // Drawn at depth 0 with EQUAL, as the passes are that the prepasses spare.
-float4 ProcessedPS(QuadVarying input) : SV_Target0
+float4 ProcessedPS(TgQuadVarying input) : SV_Target0
 {
     return float4(tex2Dlod(gSkin, float4(input.uv, 0.0, 0.0)).rgb, 1.0);
 }
@@ -88,7 +90,7 @@ float shadeOf(TgMeshInput input, float3 toEye)
     return 0.3 + 0.7 * saturate(dot(normal, toEye));
 }
 
-PanelVarying ShowViewVS(VertexInput stored)
+PanelVarying ShowViewVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     PanelVarying output;
@@ -115,12 +117,12 @@ PanelVarying meshPanel(TgMeshInput input, float side, float2 panel)
     return output;
 }
 
-PanelVarying ShowFrontVS(VertexInput input)
+PanelVarying ShowFrontVS(TgVertexInput input)
 {
     return meshPanel(meshVertex(input), 1.0, float2(-0.5, -0.5));
 }
 
-PanelVarying ShowBackVS(VertexInput input)
+PanelVarying ShowBackVS(TgVertexInput input)
 {
     return meshPanel(meshVertex(input), -1.0, float2(0.5, -0.5));
 }
@@ -141,7 +143,7 @@ technique PrePass < string Formerly = "ReachDEonLuebke, ReachGosselin"; string S
     TG_MESH_PASS(Hidden, HiddenVS, HiddenPS, TG_STATE_BUFFER)
     TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
     TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
-    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Processed, TgQuadVS, ProcessedPS, TG_STATE_EQUAL)
     TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER)
     TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID)
     TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID)

@@ -11,6 +11,8 @@
 #include "passes/fur_pose.fxh"
 #endif
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/lamp_light.fxh"
 #include "passes/more_light.fxh"

@@ -6,6 +6,8 @@
 #include "../hlsl/fur.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/no_lamps.fxh"
 #include "passes/fur_parameters.fxh"

@@ -8,6 +8,8 @@
 #include "../hlsl/scatter.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
@@ -27,7 +29,7 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Irradiance") > = 0.8;
 
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     return float4(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)).rgb, 1.0);
 }
@@ -42,7 +44,7 @@ technique Irradiance < string Script =
     OWN_SHADOW_PASS
     TSM_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique IrradianceGosselin < string Script =
@@ -53,7 +55,7 @@ technique IrradianceGosselin < string Script =
     LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

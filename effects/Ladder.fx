@@ -52,7 +52,7 @@ float4 gaussianRow(float row)
     return chosen;
 }
 
-float4 LadderPS(QuadVarying input) : SV_Target0
+float4 LadderPS(TgQuadVarying input) : SV_Target0
 {
     float row = floor(input.uv.y * kTgLadderRows);
     float4 value;
@@ -63,7 +63,7 @@ float4 LadderPS(QuadVarying input) : SV_Target0
     return value;
 }
 
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     return float4(0.5 + 0.5 * tex2Dlod(gLadder, float4(input.uv, 0.0, 0.0)).rgb, 1.0);
 }
@@ -73,8 +73,8 @@ technique Ladder < string Script =
     "RenderColorTarget0=gLadderMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    TG_QUAD_PASS(Precompute, QuadVS, LadderPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Precompute, TgQuadVS, LadderPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

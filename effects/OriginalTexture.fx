@@ -4,6 +4,8 @@
 #include "../hlsl/workspace.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/materials.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("OriginalTexture") > = 0.8;
@@ -14,7 +16,7 @@ struct TextureVarying
     float2 uv : TEXCOORD0;
 };
 
-TextureVarying TextureVS(VertexInput stored)
+TextureVarying TextureVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     TextureVarying output;

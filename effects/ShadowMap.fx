@@ -6,6 +6,8 @@
 #include "../hlsl/light.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
@@ -17,7 +19,7 @@
 float Script : STANDARDSGLOBAL < STARTS_WITH("ShadowMap") > = 0.8;
 
 // Nearest white, farthest black, black where there is no surface.
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     float texel = tgShadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
     float depth = kTgDepthInMillimetres ? (texel - tgMillimetres(gLightNear)) / max(tgMillimetres(gLightFar - gLightNear), 1e-6) : texel;
@@ -36,7 +38,7 @@ technique ShadowMap < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     SHADOW_MAP_PASS
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique Shadow < string Script =

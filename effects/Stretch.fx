@@ -5,6 +5,8 @@
 #include "../hlsl/surface.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Stretch") > = 0.8;
@@ -24,7 +26,7 @@ struct StretchVarying
     float3 world : TEXCOORD0; // mm
 };
 
-StretchVarying StretchVS(VertexInput stored)
+StretchVarying StretchVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     StretchVarying output;
@@ -38,7 +40,7 @@ float4 StretchPS(StretchVarying input) : SV_Target0
     return float4(tgStretchEncode(ddx(input.world), ddy(input.world), kTgMapSize), 0.0, 0.0);
 }
 
-float4 FillPS(QuadVarying input) : SV_Target0
+float4 FillPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gStretchCharts, float4(input.uv, 0.0, 0.0));
     float4 all = tex2Dlod(gStretchCharts, float4(0.5, 0.5, 0.0, kLastLevel));
@@ -46,7 +48,7 @@ float4 FillPS(QuadVarying input) : SV_Target0
     return texel.w < 0.5 ? texel : float4(mean, 0.0, 1.0);
 }
 
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gStretch, float4(input.uv, 0.0, 0.0));
     return float4(texel.xy * (1.0 - texel.w), 0.0, 1.0);
@@ -59,8 +61,8 @@ technique Stretch < string Script =
     "RenderColorTarget0=; Pass=Show;"; >
 {
     TG_MESH_PASS(Charts, StretchVS, StretchPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Fill, QuadVS, FillPS, TG_STATE_BUFFER)
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Fill, TgQuadVS, FillPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

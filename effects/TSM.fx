@@ -4,12 +4,14 @@
 #include "../hlsl/workspace.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/engine_light.fxh"
+#include "passes/own_light.fxh"
 #include "passes/quad.fxh"
 #include "passes/tsm.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("TSM") > = 0.8;
 
-float4 ShowPS(QuadVarying input) : SV_Target0
+float4 ShowPS(TgQuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gTsm, float4(input.uv, 0.0, 0.0));
     float depth = kTgDepthInMillimetres
@@ -23,7 +25,7 @@ technique TSM < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     TSM_PASS
-    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, TgQuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif
 // SPDX-License-Identifier: MIT

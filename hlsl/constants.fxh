@@ -1,5 +1,5 @@
 // Constants of setting corrected that a printed setting changes. Black: up to 2/255 in sRGB, for photographed maps hold no exact black.
-// SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
+// TG_SKIN_... and TG_FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
 // compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../hlsl/settings.fxh"

@@ -24,14 +24,16 @@
 #endif
 #endif
 
-// Textures with their samplers as arguments of functions, and look-ups. A texture and a sampler of their own names are passed with
-// TG_SAMPLER2D_ARG_OF.
+// Textures with their samplers as arguments of functions, and look-ups: of shaders of any kind all but TG_TEX2D, which takes the level from
+// the neighbours of a pixel. TG_TEX2DFINEST is for maps of one level: in shader model 3 a plain look-up, in half of the slots. A texture
+// and a sampler of their own names are passed with TG_SAMPLER2D_ARG_OF.
 #ifdef TEGUMENT_HLSL_3
 #define TG_SAMPLER2D_PARAM(s) sampler2D s
 #define TG_SAMPLER2D_ARG(s) s
 #define TG_SAMPLER2D_ARG_OF(s, map) s
 #define TG_TEX2D(s, uv) tex2D(s, uv)
 #define TG_TEX2DLOD(s, uvzl) tex2Dlod(s, uvzl)
+#define TG_TEX2DFINEST(s, uv) tex2D(s, uv)
 #define TG_FEW_SLOTS true
 #else
 #define TG_SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
@@ -39,6 +41,7 @@
 #define TG_SAMPLER2D_ARG_OF(s, map) map, s
 #define TG_TEX2D(s, uv) s##Map.Sample(s, uv)
 #define TG_TEX2DLOD(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
+#define TG_TEX2DFINEST(s, uv) s##Map.SampleLevel(s, uv, 0.0)
 #define TG_FEW_SLOTS false
 #endif
 // A shader has 512 instruction slots: what only saves time, or only smooths borders of shadows in maps, is left out.
@@ -208,6 +211,9 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_COMPUTE_PASS(name, cs, target) pass name < string Script = "Draw=Compute;"; string Threads = target; bool CoversTarget = true; \
     > { ComputeShader = compile cs_5_0 cs(); }
 #endif
+// A full-screen pass that leaves texels as they are where it discards.
+#define TG_OVER_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; \
+    > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; bool CoversTarget = true; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #endif

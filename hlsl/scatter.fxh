@@ -4,6 +4,7 @@
 #include "../hlsl/scatter/profile.fxh"
 #include "../hlsl/scatter/flesh.fxh"
 #include "../hlsl/scatter/tone.fxh"
+#include "../hlsl/scatter/post.fxh"
 #include "../hlsl/scatter/irradiance.fxh"
 #include "../hlsl/scatter/seam.fxh"
 #include "../hlsl/scatter/kernel.fxh"

@@ -94,6 +94,9 @@
 #else
 #define TEGUMENT_MORE_LIGHT 0
 #endif
+#ifndef TEGUMENT_POST_HALF
+#define TEGUMENT_POST_HALF 0
+#endif
 #ifndef TEGUMENT_SLAB
 #define TEGUMENT_SLAB 0
 #endif

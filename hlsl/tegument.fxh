@@ -25,7 +25,7 @@
 //
 // HOW TO USE
 //   #define TEGUMENT_MAP_SIZE 1024      // what differs from the defaults below
-//   #include "tegument.hlsl"
+//   #include "tegument.hlsl"            // TEGUMENT_VERSION: 10000 major + 100 minor + patch
 //   float4 main(...) : SV_Target { ... tgKelemenSpecular(normal, toLight, toEye, 0.3, 1.0) ... }
 //
 // WHAT TO DEFINE BEFORE (each has a default)
@@ -45,7 +45,7 @@
 //   Samplers are CLAMP. POINT: shadow maps, depth, the maps of light 1 to 13 below. LINEAR: maps of light in the picture (14), levels
 //   of the pyramid, tables (energy, ladder, pre-integrated), what tgSeparableConvolve and tgBurleyGather blur.
 //
-// SKIN, IN PASSES (docs/design/modules of the project has the formulas)
+// SKIN, IN PASSES
 //   1 light's view      tgShadowDepth, with uv: a translucent shadow map (depth, u, v, 1), 32 bits, cleared to 0
 //   2 once for a mesh   tgStretchEncode(ddx(mm), ddy(mm), size) drawn at tgUnwrapPosition(uv, 0): texels per mm
 //     once              tgEnergyTexel(tgEnergyDirectionalAlbedo)
@@ -54,9 +54,16 @@
 //   4 to 13 cascade     U and V of five convolutions, widths kTgSkinWidth: tgGaussianIncrement, tgGaussianSpacing, tgGaussianConvolve
 //   14 picture          sum of kTgSkinProfile times the six maps, tgTransmissionShare of maps 4 to 6 at tgTsmEntry,
 //                       tgIrradianceColour, tgKelemenSpecular
+// OVER YOUR BUFFERS     light, depth and colour that your engine has drawn: alpha tgPostMask. Once,
+//                       tgPostStored and tgPostTap into two tables; each frame light and depth times tgPostGrazing into two maps with
+//                       levels, LINEAR, then tgPostGather of a tgPostDisc; projections of any kind, by one matrix (tgPostView)
 // BY A PYRAMID, in the place of 4 to 13: tgPyramidReduce, tgPyramidRound, weighed by tgLadderWeight
 // ANY SKIN              tgToneWeight(i, melanin, blood) and kTgToneVariance in the place of kTgSkinProfile; tgToneAlbedo, tgToneFlesh
 // WITHOUT TEXTURE SPACE tgPreintegratedLight, tgBurleyGather, tgSeparableConvolve
+// SHADOWS               tgShadowTest, tgShadowTapped: percentage-closer filtering (PCF), tolerance is the bias, mm; tgShadowSoft: with a
+//                       blocker search (PCSS); tgSurroundingsNormal: with ambient occlusion
+// STAGES                vertex, pixel, compute and ray tracing; tgPreintegratedCurvature and tgTransmissionScale in pixel shaders only, for
+//                       they take derivatives
 // FUR                   tgFurDistance, tgFurCoverage, tgFurDiffuse, tgFurSpecular
 #include "../hlsl/platform.fxh"
 #include "../hlsl/space.fxh"

@@ -35,6 +35,13 @@ struct TgMeshInput
     float2 uv : TEXCOORD0;
 };
 
+// At a point: unit vector towards the light, and its colour on a surface that faces it, E/pi.
+struct TgLight
+{
+    float3 toLight;
+    float3 color;
+};
+
 struct TgQuadInput
 {
     float3 position : POSITION;

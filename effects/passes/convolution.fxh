@@ -49,11 +49,11 @@ float firstSigma()
 
 // One step of the cascade: the map along U into gIrradianceUMap, that along V into the next map. Widths before and after, mm.
 #define CASCADE_STEP(number, map, sigmaBefore, sigma) \
-float4 ConvolutionU##number##PS(QuadVarying input) : SV_Target0 \
+float4 ConvolutionU##number##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return convolveU(TG_SAMPLER2D_ARG(map), input.uv, sigmaBefore, sigma); \
 } \
-float4 ConvolutionUV##number##PS(QuadVarying input) : SV_Target0 \
+float4 ConvolutionUV##number##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return convolveV(TG_SAMPLER2D_ARG(gIrradianceU), input.uv, sigmaBefore, sigma); \
 }
@@ -76,16 +76,16 @@ CASCADE_STEP(5, gIrradiance5, gaussianWidth(4), gaussianWidth(5))
     "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;" \
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
 #define CASCADE_PASSES(states) \
-    TG_QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, states) \
-    TG_QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, states) \
-    TG_QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, states) \
-    TG_QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, states) \
-    TG_QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, states) \
-    TG_QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, states) \
-    TG_QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, states) \
-    TG_QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, states) \
-    TG_QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, states) \
-    TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, states)
+    TG_QUAD_PASS(ConvolutionU1, TgQuadVS, ConvolutionU1PS, states) \
+    TG_QUAD_PASS(ConvolutionUV1, TgQuadVS, ConvolutionUV1PS, states) \
+    TG_QUAD_PASS(ConvolutionU2, TgQuadVS, ConvolutionU2PS, states) \
+    TG_QUAD_PASS(ConvolutionUV2, TgQuadVS, ConvolutionUV2PS, states) \
+    TG_QUAD_PASS(ConvolutionU3, TgQuadVS, ConvolutionU3PS, states) \
+    TG_QUAD_PASS(ConvolutionUV3, TgQuadVS, ConvolutionUV3PS, states) \
+    TG_QUAD_PASS(ConvolutionU4, TgQuadVS, ConvolutionU4PS, states) \
+    TG_QUAD_PASS(ConvolutionUV4, TgQuadVS, ConvolutionUV4PS, states) \
+    TG_QUAD_PASS(ConvolutionU5, TgQuadVS, ConvolutionU5PS, states) \
+    TG_QUAD_PASS(ConvolutionUV5, TgQuadVS, ConvolutionUV5PS, states)
 
 #endif
 // SPDX-License-Identifier: MIT

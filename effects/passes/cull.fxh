@@ -59,21 +59,21 @@ CullVarying cullVarying(TgMeshInput input)
     return output;
 }
 
-QuadVarying PrePass1VS(TgQuadInput input)
+TgQuadVarying PrePass1VS(TgQuadInput input)
 {
-    QuadVarying output = QuadVS(input);
+    TgQuadVarying output = TgQuadVS(input);
     output.position.z = 1.0;
     return output;
 }
 
-float4 PrePass1PS(QuadVarying input) : SV_Target0
+float4 PrePass1PS(TgQuadVarying input) : SV_Target0
 {
     clip(kTgCullBlack && blackAround(input.uv) ? 1.0 : -1.0);
     return 0.0;
 }
 
 // Setting seed culls whole vertices, by their depth; corrected culls fragments.
-CullVarying PrePass2VS(VertexInput input)
+CullVarying PrePass2VS(TgVertexInput input)
 {
     CullVarying output = cullVarying(meshVertex(input));
     float z = kTgCullPerPixel || hiddenPoint(output) ? 1.0 : 0.0;

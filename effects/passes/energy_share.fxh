@@ -4,7 +4,7 @@
 
 float3 ownEntering(LitPoint p)
 {
-    return tgIrradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
+    return tgIrradianceEntering(p.albedo, gMix, p.light, p.cosine, p.shadow, diffuseShare(p.cosine));
 }
 
 float3 enteringLight(LitPoint p)
@@ -21,7 +21,7 @@ float3 enteringHere(LitPoint p)
 // Of plain material, which does not scatter.
 float3 plainLight(LitPoint p)
 {
-    return WITH_MORE_LIGHT_HERE(p.albedo * gLightColor * (saturate(p.cosine) * p.shadow), p.albedo * moreIrradiance(p));
+    return WITH_MORE_LIGHT_HERE(p.albedo * p.light * (saturate(p.cosine) * p.shadow), p.albedo * moreIrradiance(p));
 }
 
 float3 mirroredLight(LitPoint p, float3 toEye)

@@ -38,7 +38,7 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
     return met;
 }
 
-StrandsVarying cellularVarying(VertexInput input, float layer, float round)
+StrandsVarying cellularVarying(TgVertexInput input, float layer, float round)
 {
     FurGrowth growth;
     growth.spacing = gFurSpacing * gMeshRadius;
@@ -50,17 +50,17 @@ StrandsVarying cellularVarying(VertexInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying CellularVS(TG_LAYER_INPUT(VertexInput, input))
+StrandsVarying CellularVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return cellularVarying(input, TG_LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying CellularBehindVS(TG_LAYER_INPUT(VertexInput, input))
+StrandsVarying CellularBehindVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return cellularVarying(input, TG_LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-StrandsVarying CellularEndVS(VertexInput input)
+StrandsVarying CellularEndVS(TgVertexInput input)
 {
     StrandsVarying output = cellularVarying(input, gFurLayers - 1.0, kFurNear);
     output.position = furEndPosition(output.position);

@@ -20,7 +20,7 @@ struct ChanceVarying
 };
 
 // number: of the strand in its lock, underfur from kLockOfUnderfur on.
-ChanceVarying chanceVarying(RibbonVarying ribbon, VertexInput input, float number)
+ChanceVarying chanceVarying(RibbonVarying ribbon, TgVertexInput input, float number)
 {
     ChanceVarying output;
     output.position = ribbon.position;
@@ -30,13 +30,13 @@ ChanceVarying chanceVarying(RibbonVarying ribbon, VertexInput input, float numbe
     return output;
 }
 
-ChanceVarying ChanceLocksVS(TG_LAYER_INPUT(VertexInput, input))
+ChanceVarying ChanceLocksVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     float child = TG_LAYER_INDEX(gFurChild);
     return chanceVarying(lockVarying(input, child, 0.0, true), input, child);
 }
 
-ChanceVarying ChanceUnderfurVS(TG_LAYER_INPUT(VertexInput, input))
+ChanceVarying ChanceUnderfurVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     float child = TG_LAYER_INDEX(gFurChild);
     return chanceVarying(lockVarying(input, child, 1.0, true), input, child + kLockOfUnderfur);
@@ -87,7 +87,7 @@ ChancePixel ChancePS(ChanceVarying input)
     return output;
 }
 
-OpacityVarying FibreOpacityVS(TG_LAYER_INPUT(VertexInput, input))
+OpacityVarying FibreOpacityVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockOpacity(input, TG_LAYER_INDEX(gFurChild), kFibreUnder);
 }
@@ -120,7 +120,8 @@ float4 FibreUndercoatPS(FurVarying input) : SV_Target0
 {
     float3 toEye = gCameraPosition - input.world;
     float pixel = ribbonPixel() * length(toEye);
-    float3 toLight = tgLightDirection(input.world);
+    TgLight ours = ownLight(input.world);
+    float3 toLight = ours.toLight;
     FibrePoint p;
     p.normal = tgWorldNormal(input.normal);
     p.tangent = p.normal;
@@ -129,7 +130,7 @@ float4 FibreUndercoatPS(FurVarying input) : SV_Target0
     FibrePassed passed = fibrePassed(input.world, gCoatUndercoat * (1.0 - gCoatShort), dot(p.normal, toLight), pixel);
     float3 below = tgFibreDepth(tgFibreAlbedo(tgFibreAbsorption(p.albedo))) * kFibreDeep;
     float3 around = p.albedo * tgFibreFieldAround(p.albedo, below).mean * fibreAround(p.normal);
-    float3 lit = gLightColor * undercoatLit(p, toLight, passed) + around;
+    float3 lit = ours.color * ownVisibility(input.world, p.normal, 1.0) * undercoatLit(p, toLight, passed) + around;
     return float4(WITH_LAMPS(lit, undercoatLamps(p, input.world)), 1.0);
 }
 

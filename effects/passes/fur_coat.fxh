@@ -64,7 +64,7 @@ float3 furHang()
 }
 
 // Of the mesh at rest, wherever the pose has brought the vertex: fur is found by it. From the bounding sphere's centre, world units.
-float3 furPlace(VertexInput stored)
+float3 furPlace(TgVertexInput stored)
 {
     return tgMeshAxes(tgWorldPosition(stored.position) - gBoundingCenter);
 }
@@ -81,13 +81,13 @@ float3 furFromAxes(float3 v)
 }
 
 // A direction of the world in the axes of the mesh at rest.
-float3 strandsAxes(float3 v, VertexInput stored)
+float3 strandsAxes(float3 v, TgVertexInput stored)
 {
     return vertexTurnedBack(tgMeshAxes(v), stored);
 }
 
 // heights: as furHeights; round: as furRound.
-FurVarying furVarying(VertexInput stored, float2 heights, float round)
+FurVarying furVarying(TgVertexInput stored, float2 heights, float round)
 {
     TgMeshInput input = meshVertex(stored);
     FurVarying output;
@@ -110,7 +110,7 @@ FurVarying furVarying(VertexInput stored, float2 heights, float round)
     return output;
 }
 
-FurVarying SkinVS(VertexInput input)
+FurVarying SkinVS(TgVertexInput input)
 {
     return furVarying(input, float2(0.0, 1.0), kFurNear);
 }
@@ -180,13 +180,14 @@ float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float pa
 {
     float3 normal = tgWorldNormal(input.normal);
     float3 strand = tgFurTangent(normal, furHang(), furHeight(input));
-    float3 toLight = tgLightDirection(input.world);
+    TgLight ours = ownLight(input.world);
+    float3 toLight = ours.toLight;
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
     float open = lerp(1.0, tgFurTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
-    float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
+    float3 light = ours.color * (open * passed * ownVisibility(input.world, normal, furShadow(input, normal, toLight)));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
     return WITH_LAMPS(direct + albedo * gFurFill * tgFurFill(furHeight(input), gFurDensity, gFurMultiple),
                       furLamps(input, albedo, normal, strand, toEye, strandsShare));

@@ -84,7 +84,7 @@ struct RootMaps
 };
 
 // A ribbon spread over its root's texel, whose centre no edge between its triangles meets.
-RootVarying RibbonRootsVS(VertexInput input)
+RootVarying RibbonRootsVS(TgVertexInput input)
 {
     RootVarying output;
     float2 at = ribbonColumn(input.uv.y) + float2(0.45 + 0.4 * input.tangent.w, 0.15 + 0.8 * tgRibbon(input.uv.x).along);
@@ -105,9 +105,9 @@ RootMaps RibbonRootsPS(RootVarying input)
 }
 
 // The vertex that the maps hold; uv.y: 0 where there is none.
-VertexInput ribbonRootAt(uint2 texel)
+TgVertexInput ribbonRootAt(uint2 texel)
 {
-    VertexInput input = (VertexInput)0;
+    TgVertexInput input = (TgVertexInput)0;
     float4 place = gRibbonRootMap.Load(int3(texel, 0));
     float4 flow = gRibbonFlowMap.Load(int3(texel, 0));
     [branch] if (flow.w > 0.5)
@@ -122,7 +122,7 @@ VertexInput ribbonRootAt(uint2 texel)
 }
 
 // As ribbonVarying finds it for both sides.
-void ribbonNote(uint2 texel, VertexInput input, RibbonFrame frame, RibbonPlace place, float radius, float3 color, float afar)
+void ribbonNote(uint2 texel, TgVertexInput input, RibbonFrame frame, RibbonPlace place, float radius, float3 color, float afar)
 {
     float3 toEye = frame.toEye - place.offset;
     float pixel = ribbonPixel() * length(toEye);
@@ -150,7 +150,7 @@ uint2 lockTexel(float2 at, float number, float row)
     return uint2(float2(at.x, (at.y * lockStrands() + number) * lockRows() + row) + 0.5);
 }
 
-void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, float number)
+void lockNote(uint2 texel, TgVertexInput input, RibbonFrame frame, float4 ball, float number)
 {
     float under = step(gCoatChildren - 0.5, number);
     float child = number - gCoatChildren * under;
@@ -179,7 +179,7 @@ static const float kLockThreads = 8.0; // share the strands of a lock
 [numthreads(8, 4, 8)]
 void LocksCS(uint3 thread : SV_DispatchThreadID)
 {
-    VertexInput input = ribbonRootAt(thread.xy);
+    TgVertexInput input = ribbonRootAt(thread.xy);
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
     [branch] if (input.uv.y > 0.5)
@@ -188,7 +188,7 @@ void LocksCS(uint3 thread : SV_DispatchThreadID)
 }
 
 // What is noted of a vertex.
-RibbonVarying ribbonNoted(VertexInput input, float2 texel)
+RibbonVarying ribbonNoted(TgVertexInput input, float2 texel)
 {
     RibbonVarying output = ribbonNowhere();
     float4 at = float4((texel + 0.5) / kRibbonValueSize, 0.0, 0.0);
@@ -205,7 +205,7 @@ RibbonVarying ribbonNoted(VertexInput input, float2 texel)
     return output;
 }
 
-RibbonVarying lockNoted(VertexInput input, float number)
+RibbonVarying lockNoted(TgVertexInput input, float number)
 {
     RibbonVarying output = ribbonNowhere();
     [branch] if (input.uv.y >= kTgRibbonFirst)
@@ -216,12 +216,12 @@ RibbonVarying lockNoted(VertexInput input, float number)
     return output;
 }
 
-RibbonVarying LocksNotedVS(TG_LAYER_INPUT(VertexInput, input))
+RibbonVarying LocksNotedVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockNoted(input, TG_LAYER_INDEX(gFurChild));
 }
 
-RibbonVarying UnderfurNotedVS(TG_LAYER_INPUT(VertexInput, input))
+RibbonVarying UnderfurNotedVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockNoted(input, gCoatChildren + TG_LAYER_INDEX(gFurChild));
 }
@@ -232,7 +232,7 @@ uint2 strandTexel(float2 at, float row)
     return uint2(float2(at.x, at.y * (ribbonSegments() + 1.0) + row) + 0.5);
 }
 
-RibbonVarying StrandsNotedVS(VertexInput input)
+RibbonVarying StrandsNotedVS(TgVertexInput input)
 {
     RibbonVarying output = ribbonNowhere();
     [branch] if (input.uv.y >= kTgRibbonFirst)
@@ -243,7 +243,7 @@ RibbonVarying StrandsNotedVS(VertexInput input)
 [numthreads(8, 4, 8)]
 void StrandsCS(uint3 thread : SV_DispatchThreadID)
 {
-    VertexInput input = ribbonRootAt(thread.xy);
+    TgVertexInput input = ribbonRootAt(thread.xy);
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
     RootStrand strand = (RootStrand)0;

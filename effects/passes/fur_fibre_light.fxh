@@ -154,7 +154,7 @@ FibrePassed fibrePassedByLamp(float height, float cosine)
 }
 
 // height: in the coat.
-float3 fibreLamps(FibrePoint p, float3 world, float height, VertexInput input)
+float3 fibreLamps(FibrePoint p, float3 world, float height, TgVertexInput input)
 {
     float3 sum = 0.0;
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
@@ -187,7 +187,7 @@ float3 fibreSurroundings(FibrePoint p, float3 normal, float height)
     return fibreAround(normal) * fibreField(p, field, albedo);
 }
 
-CoatFrontVarying FibreFrontVS(VertexInput input)
+CoatFrontVarying FibreFrontVS(TgVertexInput input)
 {
     return coatFrontVarying(input, fibreFront());
 }

@@ -89,19 +89,19 @@ RibbonPlace lockPlace(LockStrand s, float along)
 #endif
 
 // Of a strand's tip, lengths along the mesh's axes. Gusts run along x, y and z alike, each lock a little by itself.
-float3 lockBlownBy(LockLooks looks, VertexInput input, float3 wind, float time)
+float3 lockBlownBy(LockLooks looks, TgVertexInput input, float3 wind, float time)
 {
     float phase = gCoatGusts.z * dot(furPlace(input) / gMeshRadius, 1.0) + 0.25 * looks.lock.x - gCoatGusts.y * time;
     return wind * (1.0 + gCoatGusts.x * tgFurWave(phase).x);
 }
 
-float3 lockBlown(LockLooks looks, VertexInput input)
+float3 lockBlown(LockLooks looks, TgVertexInput input)
 {
     return lockBlownBy(looks, input, strandsAxes(gCoatWind, input), gTime);
 }
 
 // under: 1 underfur.
-LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float4 ball, float rows, float child, float under)
+LockLooks lockLooks(TgVertexInput input, RibbonFrame frame, TgRibbon ribbon, float4 ball, float rows, float child, float under)
 {
     float2 texel = tgFurTexel(input.uv.y, rows);
     float4 up = furRootTexel(texel, 1.0);
@@ -159,7 +159,7 @@ struct LockShare
 
 // thinnest: gCoatThin or gCoatUnderThin. pixel: across it, at the strand. strands: of the lock; the last of them go first. first: is added
 // to the root's rank.
-LockShare lockShare(VertexInput input, float child, float strands, float thinnest, float pixel, float first)
+LockShare lockShare(TgVertexInput input, float child, float strands, float thinnest, float pixel, float first)
 {
     LockShare s;
     float thin = (2.0 * gCoatRadius * gMeshRadius / thinnest) / pixel;
@@ -174,7 +174,7 @@ LockShare lockShare(VertexInput input, float child, float strands, float thinnes
 }
 
 // Of a strand, or of the underfur, which lies below strands and has no part that others hide.
-LockShare lockShareOf(VertexInput input, float child, float under, float pixel)
+LockShare lockShareOf(TgVertexInput input, float child, float under, float pixel)
 {
     float strands = under > 0.5 ? gCoatUnderfur : gCoatChildren;
     LockShare s = lockShare(input, child, strands, under > 0.5 ? gCoatUnderThin : gCoatThin, pixel, 0.0);
@@ -266,7 +266,7 @@ float lockFar(float pixel)
 
 #if TEGUMENT_LAMPS
 // By lamps; of them the coat hides what lies deep, other parts of the body nothing.
-float3 lockLamps(LockPoint p, float3 world, float under, VertexInput input)
+float3 lockLamps(LockPoint p, float3 world, float under, TgVertexInput input)
 {
     float3 sum = 0.0;
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
@@ -289,7 +289,7 @@ struct LockSeen
     float pixel;
 };
 
-LockSeen lockSeen(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
+LockSeen lockSeen(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, TgVertexInput input)
 {
     LockSeen s;
     s.pixel = ribbonPixel() * length(frame.toEye);
@@ -315,7 +315,7 @@ LockSeen lockSeen(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 of
 }
 
 #ifdef TEGUMENT_COMPUTE
-float3 fibreColor(LockSeen s, float3 toLight, VertexInput input)
+float3 fibreColor(LockSeen s, float3 toLight, TgVertexInput input)
 {
     FibrePoint p;
     p.normal = s.lit.normal;
@@ -323,7 +323,8 @@ float3 fibreColor(LockSeen s, float3 toLight, VertexInput input)
     p.toEye = s.lit.toEye;
     p.albedo = s.lit.albedo;
     FibrePassed passed = fibrePassed(s.world, kLockHeight * s.lit.height, dot(p.normal, toLight), s.pixel);
-    float3 color = fibreLight(p, toLight, gLightColor, passed, fibreStraight(p, toLight, passed));
+    float3 light = ownLight(s.world).color * ownVisibility(s.world, float3(0.0, 0.0, 0.0), 1.0);
+    float3 color = fibreLight(p, toLight, light, passed, fibreStraight(p, toLight, passed));
     float3 normal = tgWorldNormal(meshVertex(input).normal);
     color += fibreSurroundings(p, normal, s.lit.height);
     return WITH_LAMPS(color, fibreLamps(p, s.world, s.lit.height, input));
@@ -332,21 +333,22 @@ float3 fibreColor(LockSeen s, float3 toLight, VertexInput input)
 
 // fibres: by light of fur_fibre_light.fxh, where there is any.
 float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, bool fibres,
-                 VertexInput input)
+                 TgVertexInput input)
 {
     LockSeen s = lockSeen(looks, ribbon, frame, offset, tangent, under, input);
-    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
+    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset)) + strandsAxes(ownLightTurned(s.world), input);
 #ifdef TEGUMENT_COMPUTE
     if (fibres)
         return fibreColor(s, toLight, input);
 #endif
-    float3 lit = lockLight(s.lit, toLight, 1.0, coatOpen(s.world, s.pixel), under) + lockSurroundings(s.lit, s.up);
+    float open = ownVisibility(s.world, float3(0.0, 0.0, 0.0), coatOpen(s.world, s.pixel));
+    float3 lit = lockLight(s.lit, toLight, 1.0, open, under) + lockSurroundings(s.lit, s.up);
     if (under < 0.5)
         lit += lockRim(s.lit, s.up);
-    return WITH_LAMPS(lit * gLightColor, lockLamps(s.lit, s.world, under, input));
+    return WITH_LAMPS(lit * ownLight(s.world).color, lockLamps(s.lit, s.world, under, input));
 }
 
-RibbonVarying lockVarying(VertexInput input, float child, float under, bool fibres)
+RibbonVarying lockVarying(TgVertexInput input, float child, float under, bool fibres)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
@@ -367,12 +369,12 @@ RibbonVarying lockVarying(VertexInput input, float child, float under, bool fibr
     return output;
 }
 
-RibbonVarying LocksVS(TG_LAYER_INPUT(VertexInput, input))
+RibbonVarying LocksVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0, false);
 }
 
-RibbonVarying UnderfurVS(TG_LAYER_INPUT(VertexInput, input))
+RibbonVarying UnderfurVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0, false);
 }
@@ -393,7 +395,7 @@ float4 UnderfurSoftPS(RibbonVarying input) : SV_Target0
 
 // From the light: the strands that throw shadows, as opaque as all of their lock. underfur: share of a strand's shadow that each of the
 // underfur throws.
-OpacityVarying lockOpacity(VertexInput input, float child, float underfur)
+OpacityVarying lockOpacity(TgVertexInput input, float child, float underfur)
 {
     OpacityVarying output;
     output.position = float4(2.0, 2.0, 2.0, 1.0);
@@ -423,13 +425,13 @@ OpacityVarying lockOpacity(VertexInput input, float child, float underfur)
     return output;
 }
 
-OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
+OpacityVarying OpacityVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return lockOpacity(input, TG_LAYER_INDEX(gFurChild), 0.3);
 }
 
 // The opaque layer below, up to gCoatUndercoat.
-FurVarying UndercoatVS(VertexInput input)
+FurVarying UndercoatVS(TgVertexInput input)
 {
     return furVarying(input, float2(gCoatUndercoat * (1.0 - gCoatShort), 1.0), kFurNear);
 }
@@ -447,9 +449,11 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     float cosine = dot(normal, gFurDown);
     float pixel = ribbonPixel() * length(gCameraPosition - input.world);
     float3 albedo = undercoatAlbedo(cosine, pixel);
-    float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world, pixel);
+    TgLight ours = ownLight(input.world);
+    float open = ownVisibility(input.world, normal, coatOpen(input.world, pixel));
+    float lit = saturate(0.7 * dot(normal, ours.toLight) + 0.3) * open;
     float3 around = lerp(gCoatSky, gCoatGround, 0.5 + 0.5 * cosine);
-    return float4(albedo * gLightColor * (0.5 * lit + 0.12 * around), 1.0);
+    return float4(albedo * ours.color * (0.5 * lit + 0.12 * around), 1.0);
 }
 
 #define LOCK_SHARE LOCK_SHARE_OF("gCoatThin")

@@ -27,7 +27,7 @@ struct SkinMotionVarying
     float4 before : TEXCOORD1;
 };
 
-SkinMotionVarying SkinMotionVS(VertexInput input)
+SkinMotionVarying SkinMotionVS(TgVertexInput input)
 {
     SkinMotionVarying output;
     output.now = mul(float4(tgWorldPosition(meshVertex(input).position), 1.0), gViewProjection);
@@ -44,26 +44,26 @@ float4 SkinMotionPS(SkinMotionVarying input) : SV_Target0
 }
 
 // A direction of the world in the axes of the mesh at rest, and a way from a root in the world, as they were.
-float3 strandsAxesBefore(float3 v, VertexInput stored)
+float3 strandsAxesBefore(float3 v, TgVertexInput stored)
 {
     return vertexTurnedBackBefore(tgMeshAxes(v, gPreviousWorld), stored);
 }
 
-float3 ribbonWorldBefore(float3 offset, VertexInput input)
+float3 ribbonWorldBefore(float3 offset, TgVertexInput input)
 {
     float3 v = vertexTurnedBefore(offset, input);
     return tgWorldPosition(meshVertexBefore(input).position, gPreviousWorld) + furFromAxes(v, gPreviousWorld);
 }
 
 // offset: of the axis from the root now, before: then.
-RibbonVarying ribbonMoved(VertexInput input, RibbonFrame frame, RibbonPlace place, float radius, float3 before)
+RibbonVarying ribbonMoved(TgVertexInput input, RibbonFrame frame, RibbonPlace place, float radius, float3 before)
 {
     float4 now = mul(float4(ribbonWorld(frame, place.offset, input), 1.0), gViewProjection);
     float4 then = mul(float4(ribbonWorldBefore(before, input), 1.0), gPreviousViewProjection);
     return ribbonVarying(input, frame, place.offset, place.tangent, radius, float3(motionOf(now, then), 0.0));
 }
 
-RibbonVarying StrandsMotionVS(VertexInput input)
+RibbonVarying StrandsMotionVS(TgVertexInput input)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
@@ -81,7 +81,7 @@ RibbonVarying StrandsMotionVS(VertexInput input)
     return output;
 }
 
-RibbonVarying LocksMotionVS(TG_LAYER_INPUT(VertexInput, input))
+RibbonVarying LocksMotionVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     RibbonVarying output = ribbonNowhere();
     float child = TG_LAYER_INDEX(gFurChild);

@@ -43,7 +43,7 @@ struct CoatFrontVarying
     float distance : TEXCOORD0; // from the light, mm
 };
 
-CoatFrontVarying coatFrontVarying(VertexInput input, float height)
+CoatFrontVarying coatFrontVarying(TgVertexInput input, float height)
 {
     FurVarying hull = furVarying(input, float2(height, 1.0), kFurNear);
     CoatFrontVarying output;
@@ -54,12 +54,12 @@ CoatFrontVarying coatFrontVarying(VertexInput input, float height)
     return output;
 }
 
-CoatFrontVarying CoatSkinVS(VertexInput input)
+CoatFrontVarying CoatSkinVS(TgVertexInput input)
 {
     return coatFrontVarying(input, 0.0);
 }
 
-CoatFrontVarying CoatFrontVS(VertexInput input)
+CoatFrontVarying CoatFrontVS(TgVertexInput input)
 {
     return coatFrontVarying(input, 1.0);
 }

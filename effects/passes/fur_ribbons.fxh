@@ -45,7 +45,7 @@ RibbonVarying ribbonNowhere()
 }
 
 // Not skin, where a host draws all parts of a mesh, and not one of the strands that are left out: rank as of tgRibbonRank.
-bool ribbonDrawn(VertexInput input, float rank, float share)
+bool ribbonDrawn(TgVertexInput input, float rank, float share)
 {
     return input.uv.y >= kTgRibbonFirst && rank < share;
 }
@@ -57,7 +57,7 @@ float ribbonPointLight()
 }
 
 // ball: of the roots' mesh.
-RibbonFrame ribbonFrame(VertexInput input, float4 ball)
+RibbonFrame ribbonFrame(TgVertexInput input, float4 ball)
 {
     RibbonFrame frame;
     frame.world = tgWorldPosition(meshVertex(input).position);
@@ -84,12 +84,12 @@ float ribbonHorizon()
 }
 
 // Roots that look away by more than a strand reaches over the horizon are left out before anything is read.
-bool ribbonSeen(VertexInput input, RibbonFrame frame)
+bool ribbonSeen(TgVertexInput input, RibbonFrame frame)
 {
     return dot(input.normal, frame.toEye) > ribbonHorizon() * length(frame.toEye);
 }
 
-float3 ribbonWorld(RibbonFrame frame, float3 offset, VertexInput input)
+float3 ribbonWorld(RibbonFrame frame, float3 offset, TgVertexInput input)
 {
     return frame.world + furFromAxes(vertexTurned(offset, input));
 }
@@ -101,7 +101,7 @@ float ribbonPixel()
 }
 
 // offset: of the axis from the root; tangent: of the axis, unit; radius: that is drawn there.
-RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset, float3 tangent, float radius, float3 color)
+RibbonVarying ribbonVarying(TgVertexInput input, RibbonFrame frame, float3 offset, float3 tangent, float radius, float3 color)
 {
     float3 toEye = frame.toEye - offset;
     float pixel = ribbonPixel() * length(toEye);

@@ -27,7 +27,7 @@ struct RootStrand
 #endif
 };
 
-RootStrand rootStrand(VertexInput input, float4 ball, float rows)
+RootStrand rootStrand(TgVertexInput input, float4 ball, float rows)
 {
     float2 texel = tgFurTexel(input.uv.y, rows);
     float4 place = furRootTexel(texel, 0.0);
@@ -73,7 +73,7 @@ float3 rootStrandBend(RootStrand strand, float height, float steps, inout float3
 
 #if TEGUMENT_LAMPS
 // By lamps; of them the coat hides what it hides, other parts of the body nothing.
-float3 rootStrandLamps(RootStrand strand, float3 albedo, float3 axis, float height, float3 toEye, float3 world, VertexInput input)
+float3 rootStrandLamps(RootStrand strand, float3 albedo, float3 axis, float height, float3 toEye, float3 world, TgVertexInput input)
 {
     float3 sum = 0.0;
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
@@ -88,7 +88,7 @@ float3 rootStrandLamps(RootStrand strand, float3 albedo, float3 axis, float heig
 #endif
 
 // Radiance: as furStrandColor of fur_strands.fxh.
-float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, float along, VertexInput input)
+float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, float along, TgVertexInput input)
 {
     float3 albedo = lerp(gFurRootColor, gFurTipColor, along) * strand.tint;
 #if TEGUMENT_FUR_CURVES
@@ -98,12 +98,12 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     float height = along * strand.share;
     float3 axis = tgFurAlong(strand.normal + 2.0 * height * strand.lean);
 #endif
-    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset));
     float3 world = ribbonWorld(frame, offset, input);
+    float3 toLight = tgSafeNormalize(ribbonToLight(frame, offset)) + strandsAxes(ownLightTurned(world), input);
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    float open = furSkinShadow(lightClip, furFromLight(world)) *
+    float open = ownVisibility(world, float3(0.0, 0.0, 0.0), furSkinShadow(lightClip, furFromLight(world))) *
                  tgFurTransmittance(height, dot(strand.normal, toLight), gFurDensity, gFurLength);
-    float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * gLightColor * open;
+    float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * ownLight(world).color * open;
     return WITH_LAMPS(direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple),
                       rootStrandLamps(strand, albedo, axis, height, tgSafeNormalize(frame.toEye - offset), world, input));
 }
@@ -142,7 +142,7 @@ float strandRadius(RootStrand strand, RibbonFrame frame, float along)
 }
 
 // core: only where a part of the strand is wide enough for pass Core.
-RibbonVarying strandVarying(VertexInput input, bool core)
+RibbonVarying strandVarying(TgVertexInput input, bool core)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
@@ -161,12 +161,12 @@ RibbonVarying strandVarying(VertexInput input, bool core)
     return output;
 }
 
-RibbonVarying StrandsVS(VertexInput input)
+RibbonVarying StrandsVS(TgVertexInput input)
 {
     return strandVarying(input, false);
 }
 
-RibbonVarying StrandsCoreVS(VertexInput input)
+RibbonVarying StrandsCoreVS(TgVertexInput input)
 {
     return strandVarying(input, true);
 }

@@ -31,7 +31,7 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
 }
 
 // The roots' mesh has the unit that it was prepared in, and stands where it stood then: the balls of both tell how this one came from it.
-StrandsVarying rootsVarying(VertexInput input, float layer, float round)
+StrandsVarying rootsVarying(TgVertexInput input, float layer, float round)
 {
     FurRootGrid grid = furRootGrid();
     float4 ball = furRootsHeader(4.0);
@@ -49,17 +49,17 @@ StrandsVarying rootsVarying(VertexInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying RootsVS(TG_LAYER_INPUT(VertexInput, input))
+StrandsVarying RootsVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return rootsVarying(input, TG_LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying RootsBehindVS(TG_LAYER_INPUT(VertexInput, input))
+StrandsVarying RootsBehindVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return rootsVarying(input, TG_LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-StrandsVarying RootsEndVS(VertexInput input)
+StrandsVarying RootsEndVS(TgVertexInput input)
 {
     StrandsVarying output = rootsVarying(input, gFurLayers - 1.0, kFurNear);
     output.position = furEndPosition(output.position);

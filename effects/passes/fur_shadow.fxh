@@ -20,7 +20,7 @@ TG_SAMPLER2D(gHull, POINT, CLAMP);
     TG_MESH_PASS(HullFront, HullVS, HullFrontPS, TG_STATE_TWOSIDED) \
     TG_MESH_PASS(HullBack, HullVS, HullBackPS, TG_STATE_TWOSIDED)
 
-FurVarying HullVS(VertexInput input)
+FurVarying HullVS(TgVertexInput input)
 {
     FurVarying output = furVarying(input, float2(gFurShadowHeight, 1.0), kFurNear);
     float4 position = output.lightClip;

@@ -28,7 +28,7 @@ float shellWay(FurVarying input)
     return tgFurWayOver(view, normal, strand) * gFurLength * gMeshRadius;
 }
 
-FurVarying shellVarying(VertexInput input, float layer, float round)
+FurVarying shellVarying(TgVertexInput input, float layer, float round)
 {
     float height = tgFurSpread(tgFurLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread);
     float above = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
@@ -51,17 +51,17 @@ float3 shellRadiance(FurVarying input, float3 albedo)
 #endif
 }
 
-FurVarying ShellsVS(TG_LAYER_INPUT(VertexInput, input))
+FurVarying ShellsVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return shellVarying(input, TG_LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-FurVarying BehindVS(TG_LAYER_INPUT(VertexInput, input))
+FurVarying BehindVS(TG_LAYER_INPUT(TgVertexInput, input))
 {
     return shellVarying(input, TG_LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-FurVarying CoatEndVS(VertexInput input)
+FurVarying CoatEndVS(TgVertexInput input)
 {
     FurVarying output = furVarying(input, float2(1.0, 1.0), kFurNear);
     output.position = furEndPosition(output.position);

@@ -144,7 +144,7 @@ float furFade(float width)
 }
 
 // Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
-StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, float round)
+StrandsVarying strandsVarying(TgVertexInput input, float layer, FurGrowth growth, float round)
 {
     float height = tgFurLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, float2(height, 1.0), round);
@@ -165,7 +165,7 @@ StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, 
     output.normal = float4(normal, height);
     output.fromEye = float4(fromEye, width);
     // Tips before the near plane of parallel light have the light before them all the same.
-    float3 toLight = strandsAxes(tgLightDirection(world), input) * max(furFromLight(world), kFurNearest * tgMillimetres(gMeshRadius));
+    float3 toLight = strandsAxes(ownLight(world).toLight, input) * max(furFromLight(world), kFurNearest * tgMillimetres(gMeshRadius));
     output.toLight = float4(toLight, tgFurSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
     output.lean = float4(growth.lean + strandsAxes(furHang(), input), growth.density);

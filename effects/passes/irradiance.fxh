@@ -9,7 +9,7 @@ TG_SAMPLER2D(gIrradiance, POINT, CLAMP);
 #define IRRADIANCE_SCRIPT(name) \
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=" name ";"
 
-SurfaceVarying IrradianceVS(VertexInput input)
+SurfaceVarying IrradianceVS(TgVertexInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
     output.position = TG_HALF_PIXEL(tgUnwrapPosition(output.uv, 0.0), gViewportSize);

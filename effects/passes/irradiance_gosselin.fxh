@@ -9,13 +9,13 @@ TG_SAMPLER2D(gKernelSize, LINEAR, CLAMP);
 
 float3 diffuseLight(LitPoint p)
 {
-    return WITH_MORE_LIGHT(gLightColor * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
+    return WITH_MORE_LIGHT(p.light * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
 }
 
 // By the last pass.
 float3 diffuseHere(LitPoint p)
 {
-    return WITH_MORE_LIGHT_HERE(gLightColor * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
+    return WITH_MORE_LIGHT_HERE(p.light * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
 }
 
 float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0

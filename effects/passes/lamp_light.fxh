@@ -51,7 +51,12 @@ Lamp lampAt(int i, float3 world, float3 seen)
     float distance = length(towards);
     lamp.toLight = towards / max(distance, 1e-6);
     float share = tgLampFalloff(distance, gLampColor[i].w) * tgLampSpot(lamp.toLight, gLampAxis[i].xyz, gLampSpot[i].x, gLampSpot[i].y);
-    lamp.light = gLampColor[i].rgb * (share * lerp(1.0, open, gLampSpot[i].z));
+    TgLight ours;
+    ours.toLight = lamp.toLight;
+    ours.color = gLampColor[i].rgb;
+    TgLight light = tgEngineLight(i + 1, world, ours);
+    lamp.toLight = light.toLight;
+    lamp.light = light.color * tgEngineVisibility(i + 1, world, float3(0.0, 0.0, 0.0), share * lerp(1.0, open, gLampSpot[i].z));
     return lamp;
 }
 #endif

@@ -25,7 +25,7 @@ struct LampDepthVarying
     float depth : TEXCOORD0; // mm
 };
 
-LampDepthVarying lampDepth(VertexInput stored, int i)
+LampDepthVarying lampDepth(TgVertexInput stored, int i)
 {
     LampDepthVarying output;
     TgLampView view = lampView(i);
@@ -58,7 +58,7 @@ struct LampsSeenVarying
     float2 uv : TEXCOORD8;
 };
 
-LampsSeenVarying LampsSeenVS(VertexInput stored)
+LampsSeenVarying LampsSeenVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     LampsSeenVarying output;
@@ -137,11 +137,11 @@ Texture2D gLampShadow##number##Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_
 Texture2D gLampBlocks##number##Map : RENDERCOLORTARGET < SQUARE_TARGET(LAMP_BLOCKS, "A32B32G32R32F") >; \
 TG_SAMPLER2D(gLampShadow##number, POINT, CLAMP); \
 TG_SAMPLER2D(gLampBlocks##number, POINT, CLAMP); \
-LampDepthVarying LampShadow##number##VS(VertexInput stored) \
+LampDepthVarying LampShadow##number##VS(TgVertexInput stored) \
 { \
     return lampDepth(stored, i); \
 } \
-float4 LampBlocks##number##PS(QuadVarying input) : SV_Target0 \
+float4 LampBlocks##number##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return tgShadowBlock(TG_SAMPLER2D_ARG(gLampShadow##number), floor(input.uv * kTgBlocks)); \
 }
@@ -151,7 +151,7 @@ float4 LampBlocks##number##PS(QuadVarying input) : SV_Target0 \
     "RenderColorTarget0=gLampBlocks" number "Map; RenderDepthStencilTarget=; Pass=LampBlocks" number ";"
 #define LAMP_SHADOW_PASS(number) \
     TG_MESH_PASS(LampShadow##number, LampShadow##number##VS, LampDepthPS, TG_STATE_TWOSIDED) \
-    TG_QUAD_PASS(LampBlocks##number, QuadVS, LampBlocks##number##PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(LampBlocks##number, TgQuadVS, LampBlocks##number##PS, TG_STATE_BUFFER)
 
 LAMP_SHADOW(1, 0)
 #if TEGUMENT_LAMP_SHADOWS > 1

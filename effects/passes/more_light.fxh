@@ -6,8 +6,8 @@
 #define TEGUMENT_PASSES_MORE_LIGHT_FXH
 
 #if TEGUMENT_MORE_LIGHT
-#define MORE_LIGHT_MEMBERS float2 uv; float3 world;
-#define MORE_LIGHT_AT(p, uvHere, worldHere) p.uv = uvHere; p.world = worldHere;
+#define MORE_LIGHT_MEMBERS float2 uv;
+#define MORE_LIGHT_AT(p, uvHere, worldHere) p.uv = uvHere;
 #define WITH_MORE_LIGHT(light, more) ((light) + (more))
 #else
 #define MORE_LIGHT_MEMBERS

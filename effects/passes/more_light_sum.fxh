@@ -58,7 +58,7 @@ float3 mirroredSurroundings(LitPoint p, float3 toEye, float roughness, float int
 
 float reflectingIntensity(LitPoint p)
 {
-    return lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
+    return lerp(gPlainIntensity, TG_SKIN_INTENSITY(p), p.scatters);
 }
 
 #if TEGUMENT_SURROUNDINGS

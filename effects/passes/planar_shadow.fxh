@@ -11,7 +11,7 @@ struct PlanarVarying
 };
 
 // The bound below keeps 0, which is nothing, apart from what touches the light.
-PlanarVarying PlanarShadowVS(VertexInput stored)
+PlanarVarying PlanarShadowVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     PlanarVarying output;

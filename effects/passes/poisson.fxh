@@ -14,7 +14,7 @@ float2 blurDensity(float2 uv)
     return float2(0.0, 0.0);
 }
 
-float4 blur(TG_SAMPLER2D_PARAM(map), float2 uv, float before)
+float4 tgPoissonBlur(TG_SAMPLER2D_PARAM(map), float2 uv, float before)
 {
     float4 centre = tex2Dlod(map, float4(uv, 0.0, 0.0));
     float2 radius = tgPoissonRadius(gBlurSize, centre, blurDensity(uv));
@@ -24,9 +24,9 @@ float4 blur(TG_SAMPLER2D_PARAM(map), float2 uv, float before)
 
 // before: number of blurs that the map has seen.
 #define BLUR_STEP(number, map, before) \
-float4 Blur##number##PS(QuadVarying input) : SV_Target0 \
+float4 Blur##number##PS(TgQuadVarying input) : SV_Target0 \
 { \
-    return blur(TG_SAMPLER2D_ARG(map), input.uv, before); \
+    return tgPoissonBlur(TG_SAMPLER2D_ARG(map), input.uv, before); \
 }
 
 BLUR_STEP(1, gIrradiance, 0.0)
@@ -43,13 +43,13 @@ BLUR_STEP(6, gBlurOdd, 5.0)
 // The pass that reads what the last blur has left: in gBlurOddMap or in gBlurEvenMap. Strings.
 #define BLURRED_SCRIPT(odd, even) "Pass=gBlurIndex?" odd ":" even ":" odd ":" even ":" odd ":" even ";"
 #define BLUR_PASSES_1_TO_3(states) \
-    TG_QUAD_PASS(Blur1, QuadVS, Blur1PS, states) \
-    TG_QUAD_PASS(Blur2, QuadVS, Blur2PS, states) \
-    TG_QUAD_PASS(Blur3, QuadVS, Blur3PS, states)
+    TG_QUAD_PASS(Blur1, TgQuadVS, Blur1PS, states) \
+    TG_QUAD_PASS(Blur2, TgQuadVS, Blur2PS, states) \
+    TG_QUAD_PASS(Blur3, TgQuadVS, Blur3PS, states)
 #define BLUR_PASSES_4_TO_6(states) \
-    TG_QUAD_PASS(Blur4, QuadVS, Blur4PS, states) \
-    TG_QUAD_PASS(Blur5, QuadVS, Blur5PS, states) \
-    TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, states)
+    TG_QUAD_PASS(Blur4, TgQuadVS, Blur4PS, states) \
+    TG_QUAD_PASS(Blur5, TgQuadVS, Blur5PS, states) \
+    TG_QUAD_PASS(Blur6, TgQuadVS, Blur6PS, states)
 
 #endif
 // SPDX-License-Identifier: MIT

@@ -68,7 +68,10 @@ LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
     p.scatters = albedo.a;
     p.normal = tgWorldNormal(normal);
     p.meshNormal = tgWorldNormal(tex2Dlod(gAtlasMeshNormal, float4(uv, 0.0, 0.0)).xyz);
-    p.toLight = tgLightDirection(world);
+    TgLight light = ownLight(world);
+    p.world = world;
+    p.light = light.color;
+    p.toLight = light.toLight;
     p.cosine = dot(p.normal, p.toLight);
     p.shadow = 1.0;
     p.lightUv = tgShadowCoordinate(lightClip);
@@ -106,6 +109,7 @@ float entryShadow(LitPoint p, float3 facet, float density)
         if (narrow)
             taps = tgShadowTapsOfTexels(at.uv);
         lit = own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
+        lit = ownVisibility(p.world, p.meshNormal, lit);
     }
     return lit;
 }
@@ -138,7 +142,7 @@ float4 entryLight(float2 uv)
     return light;
 }
 
-float4 EntryPS(QuadVarying input) : SV_Target0
+float4 EntryPS(TgQuadVarying input) : SV_Target0
 {
     return entryLight(input.uv);
 }
@@ -220,12 +224,12 @@ float4 coarser(TG_SAMPLER2D_PARAM(map), float2 uv)
 }
 
 #define PYRAMID_REDUCE(level, finer) \
-float4 Reduce##level##PS(QuadVarying input) : SV_Target0 \
+float4 Reduce##level##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return tgPyramidReduce(TG_SAMPLER2D_ARG(gEntry##finer), input.uv, kPyramidSize##finer); \
 }
 #define PYRAMID_LEVEL(level, wider) \
-float4 Light##level##PS(QuadVarying input) : SV_Target0 \
+float4 Light##level##PS(TgQuadVarying input) : SV_Target0 \
 { \
     float4 light = 0.0; \
     [branch] if (levelServes(level, input.uv)) \
@@ -241,7 +245,7 @@ PYRAMID_REDUCE(4, 3)
 PYRAMID_REDUCE(5, 4)
 PYRAMID_REDUCE(6, 5)
 
-float4 Light6PS(QuadVarying input) : SV_Target0
+float4 Light6PS(TgQuadVarying input) : SV_Target0
 {
     return levelLight(TG_SAMPLER2D_ARG(gEntry6), input.uv, kPyramidSize6, 6, 0.0, 0.0);
 }
@@ -257,9 +261,9 @@ PYRAMID_LEVEL(0, 1)
 #define ENTRY_SCRIPT "RenderColorTarget0=gEntry0Map; RenderDepthStencilTarget=; Pass=Entry;"
 #define REDUCE_SCRIPT(level) PYRAMID_STEP("gEntry" level "Map", "Reduce" level)
 #define LEVEL_SCRIPT(level) PYRAMID_STEP("gLight" level "Map", "Light" level)
-#define ENTRY_PASS TG_QUAD_PASS(Entry, QuadVS, EntryPS, TG_STATE_BUFFER)
-#define REDUCE_PASS(level) TG_QUAD_PASS(Reduce##level, QuadVS, Reduce##level##PS, TG_STATE_BUFFER)
-#define LEVEL_PASS(level) TG_QUAD_PASS(Light##level, QuadVS, Light##level##PS, TG_STATE_BUFFER)
+#define ENTRY_PASS TG_QUAD_PASS(Entry, TgQuadVS, EntryPS, TG_STATE_BUFFER)
+#define REDUCE_PASS(level) TG_QUAD_PASS(Reduce##level, TgQuadVS, Reduce##level##PS, TG_STATE_BUFFER)
+#define LEVEL_PASS(level) TG_QUAD_PASS(Light##level, TgQuadVS, Light##level##PS, TG_STATE_BUFFER)
 
 #endif
 // SPDX-License-Identifier: MIT

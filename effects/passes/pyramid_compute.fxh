@@ -32,9 +32,9 @@ TG_STORE2D(gLight4Store)
 TG_STORE2D(gLight5Store)
 TG_STORE2D(gLight6Store)
 
-QuadVarying texelAt(uint3 thread, float size)
+TgQuadVarying texelAt(uint3 thread, float size)
 {
-    QuadVarying input;
+    TgQuadVarying input;
     input.position = float4(0.0, 0.0, 0.0, 1.0);
     input.uv = (thread.xy + 0.5) / size;
     return input;
@@ -57,7 +57,7 @@ groupshared float3 gLinkSums[8 * 8 * 4];
 [numthreads(8, 8, 4)] \
 void name##CS(uint3 thread : SV_DispatchThreadID, uint inGroup : SV_GroupIndex) \
 { \
-    QuadVarying input = texelAt(thread, kPyramidSize##level); \
+    TgQuadVarying input = texelAt(thread, kPyramidSize##level); \
     bool lit = levelServes(level, input.uv); \
     gLinkSums[inGroup] = 0.0; \
     [branch] if (lit) \
@@ -191,7 +191,7 @@ struct PlaceVarying
     float3 normal : TEXCOORD1;
 };
 
-PlaceVarying PlaceVS(VertexInput stored)
+PlaceVarying PlaceVS(TgVertexInput stored)
 {
     SurfaceVarying surface = SurfaceVS(stored);
     PlaceVarying output;

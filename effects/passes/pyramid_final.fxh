@@ -13,7 +13,7 @@ struct FinalVarying
     float4 tangent : TEXCOORD3;
 };
 
-FinalVarying PyramidFinalVS(VertexInput stored)
+FinalVarying PyramidFinalVS(TgVertexInput stored)
 {
     SurfaceVarying surface = SurfaceVS(stored);
     FinalVarying output;
@@ -61,6 +61,7 @@ float finalShadow(LitPoint p, float3 facet)
         if (!wide)
             taps = tgShadowTapsOfTexels(at.uv);
         lit = own * tgShadowTapped(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth - bend, slope, taps);
+        lit = ownVisibility(p.world, p.meshNormal, lit);
     }
     return lit;
 }

@@ -318,7 +318,7 @@ float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
 }
 
 #define LINKED_LEVEL(name, level, more, links) \
-float4 name(QuadVarying input) : SV_Target0 \
+float4 name(TgQuadVarying input) : SV_Target0 \
 { \
     float4 light = 0.0; \
     [branch] if (levelServes(level, input.uv)) \
@@ -337,7 +337,7 @@ LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(anyLinks(input.uv, 0.0, 1.0))
 
 #define LINKED_STEP(level) PYRAMID_STEP("gLight" level "Map", "LinkedLight" level)
 #define LINKED_OR(level, fine) "RenderColorTarget0=gLight" level "Map; Pass=gCoarseLevels?" fine ":LinkedLight" level ";"
-#define LINKED_PASS(name) TG_QUAD_PASS(name, QuadVS, name##PS, TG_STATE_BUFFER)
+#define LINKED_PASS(name) TG_QUAD_PASS(name, TgQuadVS, name##PS, TG_STATE_BUFFER)
 #define LINKED_ALL_PASSES \
     REDUCE_PASS(1) REDUCE_PASS(2) REDUCE_PASS(3) REDUCE_PASS(4) REDUCE_PASS(5) REDUCE_PASS(6) \
     LINKED_PASS(LinkedLight6) LINKED_PASS(LinkedLight5) LINKED_PASS(LinkedLight4) LINKED_PASS(LinkedLight3) \

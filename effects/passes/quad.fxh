@@ -2,15 +2,15 @@
 #ifndef TEGUMENT_PASSES_QUAD_FXH
 #define TEGUMENT_PASSES_QUAD_FXH
 
-struct QuadVarying
+struct TgQuadVarying
 {
     float4 position : SV_Position;
     float2 uv : TEXCOORD0;
 };
 
-QuadVarying QuadVS(TgQuadInput input)
+TgQuadVarying TgQuadVS(TgQuadInput input)
 {
-    QuadVarying output;
+    TgQuadVarying output;
     output.position = TG_HALF_PIXEL(float4(input.position.xy, 0.0, 1.0), gViewportSize);
     output.uv = input.uv;
     return output;

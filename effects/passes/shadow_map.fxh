@@ -18,7 +18,7 @@ struct ShadowVarying
     float4 lightClip : TEXCOORD1;
 };
 
-ShadowVarying ShadowMapVS(VertexInput stored)
+ShadowVarying ShadowMapVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     ShadowVarying output;

@@ -37,8 +37,8 @@ float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 
 float3 reflectedLight(LitPoint p, float3 toEye)
 {
-    float intensity = lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
-    return gLightColor * p.shadow * surfaceSpecular(p, p.toLight, toEye, intensity);
+    float intensity = lerp(gPlainIntensity, TG_SKIN_INTENSITY(p), p.scatters);
+    return p.light * p.shadow * surfaceSpecular(p, p.toLight, toEye, intensity);
 }
 
 #endif

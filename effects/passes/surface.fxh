@@ -13,12 +13,12 @@ Texture2D gShineMap : SHINE < float4 Fallback = { 0.50196, 0.50196, 0.0, 1.0 }; 
 TG_SAMPLER2D(gShine, LINEAR, WRAP);
 
 #define LOBE_MEMBERS float meanNormal; float2 shine;
-#define SKIN_INTENSITY(p) (gSpecularIntensity * p.shine.y)
+#define TG_SKIN_INTENSITY(p) (gSpecularIntensity * p.shine.y)
 #define SHINE_AT(p, uv) p.shine = tex2Dlod(gShine, float4(uv, 0.0, 0.0)).xy * (255.0 / 128.0);
 #define LOBES_AT(p, texel) p.meanNormal = length((texel) * 2.0 - 1.0);
 #else
 #define LOBE_MEMBERS
-#define SKIN_INTENSITY(p) gSpecularIntensity
+#define TG_SKIN_INTENSITY(p) gSpecularIntensity
 #define SHINE_AT(p, uv)
 #define LOBES_AT(p, texel)
 #endif
@@ -47,11 +47,13 @@ struct LitPoint
     float footprint; // of one of its texels, mm
     float3 axisX;    // the light's right
     float3 axisY;    // and up
+    float3 world;
+    float3 light; // colour of the workspace's light
     MORE_LIGHT_MEMBERS
     LOBE_MEMBERS
 };
 
-SurfaceVarying surfaceVarying(VertexInput stored)
+SurfaceVarying surfaceVarying(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     SurfaceVarying output;
@@ -65,7 +67,7 @@ SurfaceVarying surfaceVarying(VertexInput stored)
 }
 
 // The surface on the picture.
-SurfaceVarying SurfaceVS(VertexInput input)
+SurfaceVarying SurfaceVS(TgVertexInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
     output.position = TG_HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
@@ -81,7 +83,10 @@ LitPoint surfacePoint(SurfaceVarying input, float3 normal)
     p.scatters = 1.0;
     p.normal = normal;
     p.meshNormal = tgSafeNormalize(input.normal);
-    p.toLight = tgLightDirection(input.world);
+    TgLight light = ownLight(input.world);
+    p.world = input.world;
+    p.light = light.color;
+    p.toLight = light.toLight;
     p.cosine = dot(p.normal, p.toLight);
     p.shadow = 1.0;
     p.lightUv = tgShadowCoordinate(input.lightClip);
@@ -108,7 +113,8 @@ LitPoint surfacePoint(SurfaceVarying input)
 float surfaceShadow(TG_SAMPLER2D_PARAM(map), LitPoint p)
 {
     float2 slope = tgShadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
-    return tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope) * tgShadowHorizon(dot(p.meshNormal, p.toLight));
+    float lit = tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope);
+    return ownVisibility(p.world, p.meshNormal, lit * tgShadowHorizon(dot(p.meshNormal, p.toLight)));
 }
 
 #endif

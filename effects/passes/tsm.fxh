@@ -19,7 +19,7 @@ struct TsmVarying
     float4 lightClip : TEXCOORD2;
 };
 
-TsmVarying TsmVS(VertexInput stored)
+TsmVarying TsmVS(TgVertexInput stored)
 {
     TgMeshInput input = meshVertex(stored);
     TsmVarying output;

@@ -33,6 +33,8 @@
 #include "../../hlsl/peers/burley.fxh"
 #include "../passes/annotations.fxh"
 #include "../passes/vertex.fxh"
+#include "../passes/engine_light.fxh"
+#include "../passes/own_light.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
@@ -60,7 +62,7 @@ technique Burley##samples < string Script = \
     SCATTERED_SCRIPT; > \
 { \
     LIGHT_PASSES \
-    TG_QUAD_PASS(Gather, QuadVS, Gather##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(Gather, TgQuadVS, Gather##samples##PS, TG_STATE_BUFFER) \
     SCATTERED_PASS \
 }
 

@@ -35,6 +35,8 @@
 #include "../../hlsl/peers/penumbra.fxh"
 #include "../passes/annotations.fxh"
 #include "../passes/vertex.fxh"
+#include "../passes/engine_light.fxh"
+#include "../passes/own_light.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"

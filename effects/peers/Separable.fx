@@ -32,6 +32,8 @@
 #include "../../hlsl/peers/separable.fxh"
 #include "../passes/annotations.fxh"
 #include "../passes/vertex.fxh"
+#include "../passes/engine_light.fxh"
+#include "../passes/own_light.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
@@ -60,8 +62,8 @@ technique Separable##samples < string Script = \
     SCATTERED_SCRIPT; > \
 { \
     LIGHT_PASSES \
-    TG_QUAD_PASS(AlongX, QuadVS, AlongX##samples##PS, TG_STATE_BUFFER) \
-    TG_QUAD_PASS(AlongY, QuadVS, AlongY##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(AlongX, TgQuadVS, AlongX##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(AlongY, TgQuadVS, AlongY##samples##PS, TG_STATE_BUFFER) \
     SCATTERED_PASS \
 }
 

@@ -26,8 +26,8 @@
 #ifndef TEGUMENT_PEERS_SEPARABLE_FXH
 #define TEGUMENT_PEERS_SEPARABLE_FXH
 
-// Depth, over the kernel's unit and times the distance of the projection window, at which a tap counts as another surface: the printed 300
-// * width * |dz| with the width of the authors' demonstration, 0.012 of its units, which the kernel's 1.5 units stand for.
+// Depth, over the kernel's unit and times the distance of the projection window, at which a tap counts as another surface: the printed
+// 300 * width * |dz| with the width of the authors' demonstration, 0.012 of its units, which the kernel's 1.5 units stand for.
 static const float kTgSeparableDepthScale = 300.0 * 0.012 * 0.012 / 1.5;
 
 float tgSeparableScale(float2 frustum, float unit)
@@ -36,12 +36,12 @@ float tgSeparableScale(float2 frustum, float unit)
 }
 
 // light: RGB times coverage, and coverage; so a tap half beyond the outline counts half. between: the depth in halves in y and z. ray:
-// place over depth. The maps have one level: plain look-ups take half of the slots that those with a level take in shader model 3.
+// place over depth. The maps have one level.
 float4 tgSeparableLight(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(between), float2 uv, float3 ray, float3 here, float3 along,
     float scale)
 {
-    float z = tgHalvesSum(TG_TEX2D(between, uv).yz);
-    return TG_TEX2D(light, uv) * tgSeparableShare(z * ray - here, along, scale);
+    float z = tgHalvesSum(TG_TEX2DFINEST(between, uv).yz);
+    return TG_TEX2DFINEST(light, uv) * tgSeparableShare(z * ray - here, along, scale);
 }
 
 // One direction: rows first .. first + pairs of the tables. axis: one pixel along x or y, in uv. between: the depth in halves,

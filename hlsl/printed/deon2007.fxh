@@ -1,5 +1,5 @@
 // constants.fxh as d'Eon and Luebke (2007) print them; what the paper does not have is the seed's.
-// SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
+// TG_SKIN_... and TG_FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
 // compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"

@@ -1,5 +1,5 @@
 // constants.fxh as the seed prints them: chapter 5 of the dissertation. Its Table 5 gives Gosselin's Final no shadow map.
-// SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
+// TG_SKIN_... and TG_FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
 // compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"

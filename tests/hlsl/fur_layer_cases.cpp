@@ -48,7 +48,7 @@ struct Layer {
 };
 
 std::vector<FunctionCase> vertices() {
-    const char* body = "VertexInput i = (VertexInput)0; i.normal = a0; i.position = a1; FurGrowth g; g.place = a3.yzx; g.lean = a3; "
+    const char* body = "TgVertexInput i = (TgVertexInput)0; i.normal = a0; i.position = a1; FurGrowth g; g.place = a3.yzx; g.lean = a3; "
                        "g.density = a5; g.spacing = a4; g.shortest = a5; g.data = float3(0.2, 0.3, 0.4); "
                        "StrandsVarying v = strandsVarying(i, a2, g, -1.0); ";
     const std::vector<Argument> arguments = {unit(), linear(-40, 40, 3), whole(0, 31), linear(-1, 1, 3), linear(0.1, 10), linear(0.3, 1)};
@@ -78,7 +78,7 @@ std::vector<FunctionCase> vertices() {
         return isUnit(x.vec3(0)) && x.scalar(4) >= 0.1 && std::abs(glm::dot(glm::normalize(layer.fromEye), layer.normal)) < 0.999;
     };
     cases.push_back(layerCase("cellularVarying",
-                              "VertexInput i = (VertexInput)0; i.position = a0; StrandsVarying v = cellularVarying(i, a1, -1.0); "
+                              "TgVertexInput i = (TgVertexInput)0; i.position = a0; StrandsVarying v = cellularVarying(i, a1, -1.0); "
                               "return float4(v.rest.xyz, strandsShortest(v) + strandsDensity(v)) + 0.0 * strandsRound(v);",
                               {linear(-40, 40, 3), whole(0, 31)},
                               [](const Inputs& x) { // cells as wide as the spacing, from the ball's centre on

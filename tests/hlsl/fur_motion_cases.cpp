@@ -72,7 +72,7 @@ std::vector<FunctionCase> poses() {
         [](const Inputs& x) { return values(turnedBy(poseAt(x.scalar(0), 1), x.vec3(1))); });
     add("furPoseMatrix", "return float4(mul(a1, furPoseMatrix(gFurPoseMap, gFurPose, a0)), 0);",
         [](const Inputs& x) { return values(turnedBy(poseAt(x.scalar(0), 1), x.vec3(1))); });
-    const char* vertex = "VertexInput i = (VertexInput)0; i.position = a1; i.normal = a1.yzx; i.tangent = float4(a1.zxy, 0.5); "
+    const char* vertex = "TgVertexInput i = (TgVertexInput)0; i.position = a1; i.normal = a1.yzx; i.tangent = float4(a1.zxy, 0.5); "
                          "i.uv = float2(3, a0); TgMeshInput m = meshVertex(i); ";
     add("furPosed", std::string(vertex) + "return float4(m.position, m.uv.x);",
         [](const Inputs& x) { return values(glm::dvec4(x.vec3(1) + glm::dvec3(poseAt(x.scalar(0), 0)), 3)); });
@@ -112,7 +112,7 @@ std::vector<FunctionCase> motions() {
     add("motionOf", "return float4(motionOf(float4(a0, 0, a1), float4(a2, 0, a3)), 0, 0);",
         {linear(-1, 1, 2), linear(1, 3), linear(-1, 1, 2), linear(1, 3)},
         [](const Inputs& x) { return values(moved(glm::dvec4(x.vec2(0), 0, x.scalar(1)), glm::dvec4(x.vec2(2), 0, x.scalar(3)))); });
-    const char* vertex = "VertexInput i = (VertexInput)0; i.position = a0; ";
+    const char* vertex = "TgVertexInput i = (TgVertexInput)0; i.position = a0; ";
     add("SkinMotionVS", std::string(vertex) + "return SkinMotionVS(i).now;", {linear(-80, 80, 3)},
         [](const Inputs& x) { return values(furClip(x.vec3(0))); });
     add("SkinMotionVS", std::string(vertex) + "return SkinMotionVS(i).before;", {linear(-80, 80, 3)},
@@ -148,7 +148,7 @@ struct BlownStrand {
 std::vector<FunctionCase> locks() {
     FunctionCase made = bodyCase(
         "LocksMotionVS",
-        "VertexInput i = (VertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = 1; i.uv = float2(a2 / 32.0, a1); "
+        "TgVertexInput i = (TgVertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = 1; i.uv = float2(a2 / 32.0, a1); "
         "RibbonVarying v = LocksMotionVS(i, (uint)a3); return float4(v.color.rg / 100.0, v.edge);",
         {linear(-150, 150, 3), whole(4096, 4000000), whole(0, 31), whole(0, 3)},
         [](const Inputs& x) {

@@ -56,7 +56,7 @@ std::vector<FunctionCase> places() {
     cases.push_back(strandRootCase(
         "strandTexel", "return float4(strandTexel(float2(a0, a1), a2), 0, 0);", {whole(0, 1365), whole(0, 255), whole(0, 6)},
         [](const Inputs& x) { return values(std::round(x.scalar(0)), 7 * std::round(x.scalar(1)) + std::round(x.scalar(2))); }, exact));
-    const char* vertex = "VertexInput i = (VertexInput)0; i.position = a3; i.tangent = float4(a3.yzx, a2 > 0.5 ? 1 : -1); "
+    const char* vertex = "TgVertexInput i = (TgVertexInput)0; i.position = a3; i.tangent = float4(a3.yzx, a2 > 0.5 ? 1 : -1); "
                          "i.uv = float2(70.0 + a1 / 32.0, a0); RootVarying v = RibbonRootsVS(i); ";
     const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
         cases.push_back(strandRootCase("RibbonRootsVS", std::string(vertex) + "return " + returned + ";",
@@ -94,7 +94,7 @@ struct Noted {
 
 std::vector<FunctionCase> notes() {
     const char* body = "RibbonFrame f = (RibbonFrame)0; f.world = a0; f.toEye = a1; RibbonPlace p; p.offset = a2; p.tangent = a3; "
-                       "ribbonNote(uint2(0, 0), (VertexInput)0, f, p, a4, float3(0.1, 0.2, 0.3), a5); ";
+                       "ribbonNote(uint2(0, 0), (TgVertexInput)0, f, p, a4, float3(0.1, 0.2, 0.3), a5); ";
     std::vector<FunctionCase> cases;
     const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
         cases.push_back(strandRootCase(
@@ -116,7 +116,8 @@ std::vector<FunctionCase> notes() {
 
 /// Maps of one texel: the axis in the world and how far the ribbon's sides are; the way there and half the width; colour and faintness.
 std::vector<FunctionCase> readings() {
-    const char* body = "VertexInput i = (VertexInput)0; i.tangent.w = a0 > 0.5 ? 1 : -1; RibbonVarying v = ribbonNoted(i, float2(3, 5)); ";
+    const char* body =
+        "TgVertexInput i = (TgVertexInput)0; i.tangent.w = a0 > 0.5 ? 1 : -1; RibbonVarying v = ribbonNoted(i, float2(3, 5)); ";
     std::vector<FunctionCase> cases;
     const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
         cases.push_back(strandRootCase("ribbonNoted", std::string(body) + "return " + returned + ";", {whole(0, 1), linear(0, 1)},
@@ -154,10 +155,10 @@ double addressOf(double column, double row) {
 
 std::vector<FunctionCase> threads() {
     std::vector<FunctionCase> cases;
-    cases.push_back(strandRootCase("ribbonRootAt", "VertexInput i = ribbonRootAt(uint2(a0, 0)); return float4(i.tangent.xyz, i.tangent.w);",
-                                   {whole(0, 63)}, [](const Inputs&) { return values(0.2, 0.3, 0.4, 1); },
-                                   {.forward = 1, .backward = 0, .why = "what the map holds"}));
-    cases.push_back(strandRootCase("ribbonRootAt", "VertexInput i = ribbonRootAt(uint2(a0, 0)); return float4(i.position.xy, i.uv);",
+    cases.push_back(strandRootCase(
+        "ribbonRootAt", "TgVertexInput i = ribbonRootAt(uint2(a0, 0)); return float4(i.tangent.xyz, i.tangent.w);", {whole(0, 63)},
+        [](const Inputs&) { return values(0.2, 0.3, 0.4, 1); }, {.forward = 1, .backward = 0, .why = "what the map holds"}));
+    cases.push_back(strandRootCase("ribbonRootAt", "TgVertexInput i = ribbonRootAt(uint2(a0, 0)); return float4(i.position.xy, i.uv);",
                                    {whole(0, 63)},
                                    [](const Inputs& x) { return values(12, -7, 70, addressOf(std::round(x.scalar(0)), 0)); },
                                    {.forward = 1, .backward = 0, .why = "what the map holds"}));
@@ -213,7 +214,8 @@ struct NotedLock {
 FunctionCase lockNotes() {
     FunctionCase made = strandRootCase(
         "lockNote",
-        "VertexInput i = (VertexInput)0; i.normal = float3(sqrt(saturate(1.0 - a2 * a2)), 0, a2); i.tangent.w = 1; i.uv = float2(0, a0); "
+        "TgVertexInput i = (TgVertexInput)0; i.normal = float3(sqrt(saturate(1.0 - a2 * a2)), 0, a2); i.tangent.w = 1; i.uv = float2(0, "
+        "a0); "
         "RibbonFrame f = (RibbonFrame)0; f.toEye = float3(0, 0, 200); f.perMm = 8e-5; lockNote(uint2(0, 0), i, f, float4(0, 0, 0, 1e6), "
         "a1); "
         "return float4(gRibbonLightStore.rgb, gRibbonAsideStore.w);",

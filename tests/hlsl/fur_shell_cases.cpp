@@ -143,7 +143,7 @@ std::vector<FunctionCase> hulls() {
 }
 
 /// A vertex: normal and place in the mesh.
-constexpr const char* kVertexBody = "VertexInput i = (VertexInput)0; i.normal = a0; i.position = a1; i.uv = float2(0.3, 0.4); ";
+constexpr const char* kVertexBody = "TgVertexInput i = (TgVertexInput)0; i.normal = a0; i.position = a1; i.uv = float2(0.3, 0.4); ";
 
 glm::dvec3 placeInCoat(const glm::dvec3& position, const glm::dvec3& normal, double height) {
     return furWorld(position) + (furTurned(normal) + kFurLean * height * kFurDown) * (kFurLength * kFurMesh * height);

@@ -246,7 +246,7 @@ glm::dvec4 coatOfRoots(const glm::dvec3& place) {
     return sum;
 }
 
-constexpr const char* kVertexBody = "VertexInput i = (VertexInput)0; i.normal = a0; i.position = a1; ";
+constexpr const char* kVertexBody = "TgVertexInput i = (TgVertexInput)0; i.normal = a0; i.position = a1; ";
 
 std::vector<FunctionCase> rootVertices() {
     const std::vector<Argument> arguments = {unit(), linear(-40, 40, 3), whole(0, 31)};

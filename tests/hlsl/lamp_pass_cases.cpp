@@ -260,7 +260,7 @@ std::vector<FunctionCase> seen() {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string n = std::to_string(i);
         const std::string vertex =
-            "VertexInput v = (VertexInput)0; v.position = a0; v.normal = a1; v.uv = a2; LampsSeenVarying o = LampsSeenVS(v); ";
+            "TgVertexInput v = (TgVertexInput)0; v.position = a0; v.normal = a1; v.uv = a2; LampsSeenVarying o = LampsSeenVS(v); ";
         const std::vector<Argument> arguments = {linear(-20, 20, 3), unit(), linear(0, 1, 2)};
         cases.push_back(lampCase("LampsSeenVS", vertex + "return o.place[" + n + "];", arguments, [=](const Inputs& x) {
             const View view(i);

@@ -70,7 +70,7 @@ std::vector<FunctionCase> places() {
                          [](const Inputs& x) { return values(lockNumbers(x.scalar(0), x.scalar(1))); },
                          {.forward = 3, .backward = 0, .why = "whole numbers, a sum and a product with a rounded reciprocal"}));
     cases.push_back(lock("lockBlownBy",
-                         "VertexInput v = (VertexInput)0; v.position = a0; LockLooks l = (LockLooks)0; l.lock.x = a1; "
+                         "TgVertexInput v = (TgVertexInput)0; v.position = a0; LockLooks l = (LockLooks)0; l.lock.x = a1; "
                          "return float4(lockBlownBy(l, v, a2, a3), 0);",
                          {linear(-100, 100, 3), linear(0, 1), linear(-2, 2, 3), linear(0, 20)},
                          [](const Inputs& x) {
@@ -83,7 +83,7 @@ std::vector<FunctionCase> places() {
 }
 
 constexpr const char* kShareBody =
-    "VertexInput v = (VertexInput)0; v.uv.y = a0; LockShare s = lockShare(v, a1, a2, a3, max(a4, 0.01), a5); ";
+    "TgVertexInput v = (TgVertexInput)0; v.uv.y = a0; LockShare s = lockShare(v, a1, a2, a3, max(a4, 0.01), a5); ";
 
 /// Which of a lock's strands are drawn.
 struct Share {
@@ -126,7 +126,7 @@ std::vector<FunctionCase> shares() {
     cases.back().domain = away;
     cases.push_back(lock(
         "lockShareOf",
-        "VertexInput v = (VertexInput)0; v.uv.y = 5000; LockShare s = lockShareOf(v, 1, a0, max(a1, 0.01)); "
+        "TgVertexInput v = (TgVertexInput)0; v.uv.y = 5000; LockShare s = lockShareOf(v, 1, a0, max(a1, 0.01)); "
         "return float4(s.share, s.afar, s.begin, s.rank);",
         {whole(0, 1), logarithmic(0.01, 1)},
         [](const Inputs& x) {

@@ -155,7 +155,7 @@ struct Looks {
 };
 
 constexpr const char* kLooksBody =
-    "VertexInput v = (VertexInput)0; v.normal = a0; v.tangent.xyz = a1; v.position = a2; v.uv.y = a3; TgRibbon r; r.along = 0.5; "
+    "TgVertexInput v = (TgVertexInput)0; v.normal = a0; v.tangent.xyz = a1; v.position = a2; v.uv.y = a3; TgRibbon r; r.along = 0.5; "
     "r.shortness = a5; r.color = 0.5; RibbonFrame f = (RibbonFrame)0; f.perMm = 2.0; LockLooks l = lockLooks(v, f, r, 0.0, 1.0, a4, a6); ";
 
 std::vector<FunctionCase> looks() {

@@ -41,7 +41,7 @@ FunctionCase lamps() {
     FunctionCase made = lockCase(
         "lockLamps",
         "LockPoint p = (LockPoint)0; p.normal = a0; p.tangent = a1; p.toEye = a0; p.albedo = a2; p.along = 0.5; p.height = a3; "
-        "return float4(lockLamps(p, float3(1, 2, 3), 1.0, (VertexInput)0), 0);",
+        "return float4(lockLamps(p, float3(1, 2, 3), 1.0, (TgVertexInput)0), 0);",
         {unit(), unit(), linear(0, 1, 3), linear(0, 1)},
         [](const Inputs& x) {
             glm::dvec3 sum(0);
@@ -61,7 +61,7 @@ FunctionCase lamps() {
 constexpr const char* kColourBody =
     "LockLooks l = (LockLooks)0; l.strand.normal = a0; l.waves = -1.0; l.more = float3(a5.x, 0, 0); l.lock = float3(0, a5.y, 0); "
     "l.random = 0.5; TgRibbon r; r.along = a3.x; r.shortness = a3.y; r.color = 0.25; RibbonFrame f = (RibbonFrame)0; f.toEye = a4; "
-    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, false, (VertexInput)0); return float4(color, 0);";
+    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, false, (TgVertexInput)0); return float4(color, 0);";
 
 /// Arguments as they stand in the body.
 struct Coloured {
@@ -142,7 +142,7 @@ void flatten(FunctionCase& made) {
 }
 
 constexpr const char* kVertexBody =
-    "VertexInput i = (VertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = a2 > 0.5 ? 1 : "
+    "TgVertexInput i = (TgVertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = a2 > 0.5 ? 1 : "
     "-1; i.uv = float2(a3 / 32.0, a1); ";
 
 /// Arguments: position, address, side, row of 31, child.
@@ -329,7 +329,7 @@ std::vector<FunctionCase> pixels() {
         return insideTexel(place.x) && insideTexel(place.y + 1.05 / 256) && insideTexel(place.y - 1.05 / 256);
     };
     cases.push_back(lockCase("CoatFrontVS",
-                             "VertexInput i = (VertexInput)0; i.normal = a0; i.position = a1; "
+                             "TgVertexInput i = (TgVertexInput)0; i.normal = a0; i.position = a1; "
                              "return float4(CoatFrontVS(i).distance, CoatSkinVS(i).distance, 0, 0);",
                              {unit(), linear(-80, 80, 3)},
                              [](const Inputs& x) { // moved out by the coat, whose tips hang

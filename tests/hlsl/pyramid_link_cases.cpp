@@ -349,7 +349,7 @@ Values levelWithLinks(int level, int mapSize, bool top, bool fine, int x, int y,
 std::vector<FunctionCase> levels() {
     std::vector<FunctionCase> cases;
     const auto add = [&](const std::string& entry, int level, int size, bool top, bool fine) {
-        cases.push_back(sheetCase("LINKED_LEVEL", "QuadVarying q = (QuadVarying)0; q.uv = uv; return " + entry + "(q);", size, !fine, 1,
+        cases.push_back(sheetCase("LINKED_LEVEL", "TgQuadVarying q = (TgQuadVarying)0; q.uv = uv; return " + entry + "(q);", size, !fine, 1,
                                   [=](int x, int y, double density, const Inputs&) {
                                       return levelWithLinks(level, size, top, fine, x, y, density, texelOfRow(metricRow(), x / 64).w);
                                   }));

@@ -10,7 +10,7 @@ namespace tegument::test {
 
 namespace {
 
-constexpr const char* kQuad = "QuadVarying q = (QuadVarying)0; q.uv = float2((a0 + 0.5) / 8.0, 0.5); ";
+constexpr const char* kQuad = "TgQuadVarying q = (TgQuadVarying)0; q.uv = float2((a0 + 0.5) / 8.0, 0.5); ";
 
 Argument metricPlace() {
     return whole(0, kMetricTexels - 1);

@@ -53,7 +53,7 @@ std::vector<FunctionCase> widths() {
         [=](const Inputs& x) { return values(2 * x.scalar(1) < kRibbonThin * kFurPixel * nearest(x) ? 1 : 0); }, plain));
     cases.back().domain = [=](const Inputs& x) { return std::abs(2 * x.scalar(1) / (kRibbonThin * kFurPixel * nearest(x)) - 1) > 1e-4; };
     cases.push_back(ribbon(
-        "ribbonDrawn", "VertexInput v = (VertexInput)0; v.uv.y = a0; return float4(ribbonDrawn(v, a1, a2) ? 1 : 0, 0, 0, 0);",
+        "ribbonDrawn", "TgVertexInput v = (TgVertexInput)0; v.uv.y = a0; return float4(ribbonDrawn(v, a1, a2) ? 1 : 0, 0, 0, 0);",
         {whole(4000, 4200), linear(0, 1), linear(0, 1)},
         [](const Inputs& x) { return values(x.scalar(0) >= 4096 && x.scalar(1) < x.scalar(2) ? 1 : 0); }, plain));
     const char* made = "RibbonVarying r = (RibbonVarying)0; r.color.w = a0; r.edge = float2(a1, a2); ";
@@ -95,7 +95,7 @@ struct Drawn {
 };
 
 std::vector<FunctionCase> ribbons() {
-    const char* made = "VertexInput v = (VertexInput)0; v.tangent.w = a5 > 0.5 ? 1 : -1; RibbonFrame f = (RibbonFrame)0; f.world = a0; "
+    const char* made = "TgVertexInput v = (TgVertexInput)0; v.tangent.w = a5 > 0.5 ? 1 : -1; RibbonFrame f = (RibbonFrame)0; f.world = a0; "
                        "f.toEye = a1; RibbonVarying r = ribbonVarying(v, f, a2, a3, a4, float3(0.1, 0.2, 0.3)); ";
     const std::vector<Argument> arguments = {linear(-80, 80, 3),   vector(3, 150, 400), linear(-5, 5, 3), unit(),
                                              logarithmic(0.02, 2), whole(0, 1)};

@@ -31,7 +31,7 @@ glm::dvec4 inView(const glm::dvec3& w) {
 }
 
 constexpr const char* kVertex =
-    "VertexInput v = (VertexInput)0; v.position = a0; v.normal = float3(0, 0, 1); v.tangent = float4(1, 0, 0, 1); ";
+    "TgVertexInput v = (TgVertexInput)0; v.position = a0; v.normal = float3(0, 0, 1); v.tangent = float4(1, 0, 0, 1); ";
 
 std::vector<FunctionCase> fromTheLight() {
     std::vector<FunctionCase> cases;
@@ -93,7 +93,7 @@ std::vector<FunctionCase> culling() {
                                 return values(x.corrected() || outside || away ? 1 : 0);
                             }));
     cases.back().settings = {0, 2};
-    cases.push_back(mapCase("Main.fx", "IrradianceVS", "VertexInput v = (VertexInput)0; v.uv = a0; return IrradianceVS(v).position;",
+    cases.push_back(mapCase("Main.fx", "IrradianceVS", "TgVertexInput v = (TgVertexInput)0; v.uv = a0; return IrradianceVS(v).position;",
                             {linear(0, 1, 2)}, // where the map has it
                             [](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), 0, 1); }));
     cases.push_back(mapCase("Main.fx", "PrePass1VS",
@@ -119,7 +119,7 @@ std::vector<FunctionCase> entryPoints() {
     const auto add = [&](const char* function, const std::string& entry, const std::string& call, const TestMap& map) {
         cases.push_back(
             mapCase("Main.fx", function,
-                    "QuadVarying q = (QuadVarying)0; q.uv = (float2(a0, a1) + 0.5) / 256.0; return " + entry + "(q) - " + call + ";",
+                    "TgQuadVarying q = (TgQuadVarying)0; q.uv = (float2(a0, a1) + 0.5) / 256.0; return " + entry + "(q) - " + call + ";",
                     places, [](const Inputs&) { return values(0); }));
         cases.back().map = &map;
         cases.back().globals["gBlurSize"] = {1.7};

@@ -155,7 +155,7 @@ std::vector<FunctionCase> rooted() {
     std::vector<FunctionCase> cases;
     const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
         cases.push_back(strandCase("FurCoat.fx", "rootStrand",
-                                   std::string("VertexInput v = (VertexInput)0; v.normal = a0; v.uv.y = 5000; "
+                                   std::string("TgVertexInput v = (TgVertexInput)0; v.normal = a0; v.uv.y = 5000; "
                                                "RootStrand s = rootStrand(v, float4(1, 2, 3, 90), 2.0); return float4(") +
                                        returned + ");",
                                    {unit()}, std::move(expected), plain));

@@ -27,7 +27,7 @@ struct LitStrand {
 
 std::vector<FunctionCase> colours() {
     const char* body = "RootStrand s = (RootStrand)0; s.normal = a0; s.lean = a1; s.share = a2.x; s.tint = a2.y; RibbonFrame f = "
-                       "(RibbonFrame)0; f.toEye = a3; f.toLight = a4; return float4(rootStrandColor(s, f, a5, a2.z, (VertexInput)0), 0);";
+                       "(RibbonFrame)0; f.toEye = a3; f.toLight = a4; return float4(rootStrandColor(s, f, a5, a2.z, (TgVertexInput)0), 0);";
     std::vector<FunctionCase> cases;
     for (const bool lamps : {false, true}) {
         cases.push_back(
@@ -97,7 +97,7 @@ std::vector<FunctionCase> vertices() {
         const auto distance = [](const Inputs& x) { return glm::length(kFurEye - furWorld(x.vec3(0))); };
         cases.push_back(strandRootCase(
             "strandVarying",
-            std::string("VertexInput i = (VertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = a2 > 0.5 ? 1 : -1; "
+            std::string("TgVertexInput i = (TgVertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = a2 > 0.5 ? 1 : -1; "
                         "i.uv = float2(a3 / 32.0, a1); RibbonVarying v = strandVarying(i, ") +
                 (core ? "true" : "false") + "); return float4(v.edge, v.color.w, 0);",
             {linear(-1500, 1500, 3), whole(4000, 8000), whole(0, 1), whole(0, 31)},

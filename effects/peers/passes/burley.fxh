@@ -23,7 +23,7 @@ float4 gather(float2 uv, int count)
 }
 
 #define BURLEY_STEP(samples) \
-float4 Gather##samples##PS(QuadVarying input) : SV_Target0 \
+float4 Gather##samples##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return gather(input.uv, samples); \
 }

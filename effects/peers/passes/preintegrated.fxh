@@ -48,7 +48,7 @@ float4 preintegrated(SurfaceVarying input, bool penumbra)
     float4 clip = mul(float4(input.world, 1.0), gViewProjection);
     float3 received = receivedLight(p, curvature, clip.xy / clip.w * gViewportSize * 0.5, penumbra);
     float3 around = tgPreintegratedLight(TG_SAMPLER2D_ARG(gPreintegrated), cosines, curvature);
-    float3 entering = tgIrradianceColour(p.albedo, gMix) * gLightColor * around * received * diffuseShare(p.cosine);
+    float3 entering = tgIrradianceColour(p.albedo, gMix) * p.light * around * received * diffuseShare(p.cosine);
     return peerRadiance(input, p, WITH_MORE_LIGHT_HERE(entering, moreEntering(p)));
 }
 

@@ -13,11 +13,11 @@ TG_SAMPLER2D_OF(gBetween, gShadeMap, LINEAR, CLAMP);
 
 // Passes with as many samples. Rows of the kernels' tables: the first, and how many pairs of samples follow.
 #define SEPARABLE_STEPS(samples, first, pairs) \
-float4 AlongX##samples##PS(QuadVarying input) : SV_Target0 \
+float4 AlongX##samples##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return along(TG_SAMPLER2D_ARG(gLight), input.uv, float2(1.0 / gViewportSize.x, 0.0), first, pairs); \
 } \
-float4 AlongY##samples##PS(QuadVarying input) : SV_Target0 \
+float4 AlongY##samples##PS(TgQuadVarying input) : SV_Target0 \
 { \
     return along(TG_SAMPLER2D_ARG(gScatterX), input.uv, float2(0.0, 1.0 / gViewportSize.y), first, pairs); \
 }

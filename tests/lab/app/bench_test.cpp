@@ -53,11 +53,11 @@ std::string faultyEffects() {
 #include "hlsl/workspace.fxh"
 #include "effects/passes/quad.fxh"
 float4 gZero = { 0.0, 0.0, 0.0, 0.0 };
-float4 FaultyPS(QuadVarying input) : SV_Target0 { return (input.uv.x + 1.0) / gZero; }
+float4 FaultyPS(TgQuadVarying input) : SV_Target0 { return (input.uv.x + 1.0) / gZero; }
 #ifdef FX_TECHNIQUES
 technique Faulty < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Faulty;"; >
 {
-    TG_QUAD_PASS(Faulty, QuadVS, FaultyPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Faulty, TgQuadVS, FaultyPS, TG_STATE_BUFFER)
 }
 #endif
 )");

@@ -67,12 +67,12 @@ public:
 
 float gZero = 0.0;
 float3 gPadding = { 0.0, 0.0, 0.0 };
-float4 BadPS(QuadVarying input) : SV_Target0 { return float4()") +
+float4 BadPS(TgQuadVarying input) : SV_Target0 { return float4()") +
                                  expression + R"(, gPadding.x, 0.0, 1.0); }
 #ifdef FX_TECHNIQUES
 technique Bad < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Bad;"; >
 {
-    TG_QUAD_PASS(Bad, QuadVS, BadPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Bad, TgQuadVS, BadPS, TG_STATE_BUFFER)
 }
 #endif
 )";

@@ -37,7 +37,8 @@ int2 tg_size(Texture2D<float4> t, int lod) { uint w, h, n; t.GetDimensions(lod, 
 int2 tg_size(Texture2D<float4> t) { return tg_size(t, 0); }
 int2 tg_size(RWTexture2D<float4> t) { uint w, h; t.GetDimensions(w, h); return int2(w, h); }
 float4 tg_decode(float4 c) { return float4(c.rgb <= 0.04045 ? c.rgb / 12.92 : pow(abs((c.rgb + 0.055) / 1.055), 2.4), c.a); }
-float4 tg_encode(float4 c) { return float4(c.rgb <= 0.0031308 ? c.rgb * 12.92 : 1.055 * pow(abs(c.rgb), 1 / 2.4) - 0.055, c.a); }
+float3 tg_encode(float3 c) { return c <= 0.0031308 ? c * 12.92 : 1.055 * pow(abs(c), 1 / 2.4) - 0.055; }
+float4 tg_encode(float4 c) { return float4(tg_encode(c.rgb), c.a); }
 void tg_cover(uint i : SV_VertexID, out float4 p : SV_Position, out float2 uv : TEXCOORD0)
 { uv = float2(i == 2 ? 2 : 0, i == 1 ? 2 : 0); p = float4(uv * float2(2, -2) + float2(-1, 1), 0, 1); }
 float4 tg_show(float4 p : SV_Position) : SV_Target { return float4(tgBackBuffer.Load(int3(p.xy, 0)).rgb, 1); }
@@ -111,6 +112,10 @@ std::string replaced(std::string_view table, std::string word) {
     return std::string(table.substr(0, table.find(' ')));
 }
 
+constexpr std::string_view kFunctions =
+    " abs acos all any asin atan ceil clamp cos cosh cross degrees distance dot exp floor frac length lerp "
+    "log max min noise normalize pow radians reflect round saturate sign sin sinh sqrt step tan tanh ";
+
 enum class Kind { Plain, Texture, Sampler, Storage };
 
 struct Entity {
@@ -167,7 +172,16 @@ private:
         return i + 1 < in_.size() && in_[i].is(':') && in_[i + 1].is(':') && !in_[i + 1].space;
     }
 
-    void push(const Token& token) { out_.push_back(token); }
+    /// `1f` is no number of HLSL's, and a variable `sin` would hide the function.
+    void push(Token token, bool called = true) {
+        const auto text = token.text;
+        const bool whole = text.find_first_of(".xXeE") == std::string_view::npos;
+        if (token.kind == TokenKind::Number && whole && toLower(text).ends_with('f'))
+            token.text = sources_.keep(fmt::format("{}.f", text.substr(0, text.size() - 1)));
+        if (token.kind == TokenKind::Word && !called && kFunctions.find(fmt::format(" {} ", text)) != std::string_view::npos)
+            token.text = sources_.keep(fmt::format("tg_{}", text));
+        out_.push_back(token);
+    }
     void push(std::string_view text, const Token& at) {
         std::vector<Token> made = tokensOf(sources_, sources_.keep(std::string(text)), at);
         std::erase_if(made, [](const Token& token) { return token.kind == TokenKind::Newline; });
@@ -318,7 +332,8 @@ private:
             else if (entity && entity->name != token.text)
                 push(entity->name, token);
             else
-                out_.insert(out_.end(), in_.begin() + static_cast<std::ptrdiff_t>(i), in_.begin() + static_cast<std::ptrdiff_t>(end));
+                for (std::size_t k = i; k < end; ++k)
+                    push(in_[k], end < in_.size() && in_[end].is('('));
             i = end;
         }
     }
@@ -385,7 +400,7 @@ private:
             call((read->srgb ? "tg_decode(" : "") + before, list, at, read->srgb ? "))" : ")");
             return true;
         };
-        const auto method = [&](std::string_view method) { return fmt::format("{}.{}({},", read->texture, method, read->sampler); };
+        const auto method = [&](std::string_view word) { return fmt::format("{}.{}({},", read->texture, word, read->sampler); };
         if (what == "store" && rest.size() == 2) {
             call(fmt::format("({}[({})(", read->sampler, cast), rest.subspan(0, 1), at, ")] =");
             call("", rest.subspan(1), at);
@@ -508,7 +523,7 @@ private:
         }
         const std::string format = value(states, "format", "RGBA8");
         const std::string ours = replaced(kTheirFormats, format);
-        own += fmt::format(" : RENDERCOLORTARGET < string Format = \"{}\"; int2 Dimensions = {{ {}, {} }}; int MipLevels = {}; >;", ours,
+        own += fmt::format(" : RENDERCOLORTARGET < string Format = \"{}\"; int2 Dimensions = {{ {}, {} }}; int MostLevels = {}; >;", ours,
                            value(states, "width", "1"), value(states, "height", "1"), value(states, "miplevels", "1"));
         push(own, name);
     }

@@ -74,17 +74,18 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
         return static_cast<const gpu::Pipeline*>(builder.resources.kit.pipelines.emplace(key, pipeline).first->second.get());
     };
     if (const auto shared = builder.resources.store.shared.find(source)) return keep(shared);
-    auto pipeline = builder.resources.device.createPipeline({.name = step.pass->name,
-                                                             .vertex = codeOf(program.vertex),
-                                                             .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
-                                                             .bindings = program.bindings,
-                                                             .attributes = program.attributes,
-                                                             .vertexStride = program.attributes.empty() ? 0 : kVertexStride,
-                                                             .topology = isStrip(*step.pass) ? gpu::Topology::TriangleStrip : gpu::Topology::TriangleList,
-                                                             .colorFormats = std::move(formats),
-                                                             .depthFormat = depth,
-                                                             .samples = samples,
-                                                             .state = source.state});
+    auto pipeline = builder.resources.device.createPipeline(
+        {.name = step.pass->name,
+         .vertex = codeOf(program.vertex),
+         .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
+         .bindings = program.bindings,
+         .attributes = program.attributes,
+         .vertexStride = program.attributes.empty() ? 0 : kVertexStride,
+         .topology = isStrip(*step.pass) ? gpu::Topology::TriangleStrip : gpu::Topology::TriangleList,
+         .colorFormats = std::move(formats),
+         .depthFormat = depth,
+         .samples = samples,
+         .state = source.state});
     if (!pipeline) return pipeline.error();
     const auto made = std::make_shared<const gpu::Pipeline>(std::move(*pipeline));
     builder.resources.store.shared.add(source, made);

@@ -1,5 +1,6 @@
 #include "host/effect/reshade.h"
 
+#include "generated/reshade_parts.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -21,80 +22,6 @@ using Range = std::pair<std::size_t, std::size_t>; // of tokens: first, one behi
 
 constexpr int kDeepestCalls = 128; // calls of intrinsics as arguments of others
 
-/// What every effect gets: helpers of its intrinsics, and the shaders of the first and the last pass.
-constexpr std::string_view kHelpers = R"(
-Texture2D tgBackBuffer : RENDERCOLORTARGET < string Format = "A16B16G16R16"; >;
-Texture2D tgDepth : RENDERDEPTHSTENCILTARGET < string Format = "D32F_LOCKABLE"; >;
-static int tg_old;
-float4 tg_lod(Texture1D<float4> t, SamplerState s, float4 c) { return t.SampleLevel(s, c.x, c.w); }
-float4 tg_lod(Texture2D<float4> t, SamplerState s, float4 c) { return t.SampleLevel(s, c.xy, c.w); }
-float4 tg_lod(Texture3D<float4> t, SamplerState s, float4 c) { return t.SampleLevel(s, c.xyz, c.w); }
-float4 tg_fetch(Texture2D<float4> t, int2 c) { return t.Load(int3(c, 0)); }
-float4 tg_fetch(Texture2D<float4> t, int4 c) { return t.Load(int3(c.xy, c.w)); }
-float4 tg_fetch(Texture2D<float4> t, int2 c, int lod) { return t.Load(int3(c, lod)); }
-float4 tg_fetch(Texture3D<float4> t, int3 c) { return t.Load(int4(c, 0)); }
-int2 tg_size(Texture2D<float4> t, int lod) { uint w, h, n; t.GetDimensions(lod, w, h, n); return int2(w, h); }
-int2 tg_size(Texture2D<float4> t) { return tg_size(t, 0); }
-int2 tg_size(RWTexture2D<float4> t) { uint w, h; t.GetDimensions(w, h); return int2(w, h); }
-float4 tg_decode(float4 c) { return float4(c.rgb <= 0.04045 ? c.rgb / 12.92 : pow(abs((c.rgb + 0.055) / 1.055), 2.4), c.a); }
-float3 tg_encode(float3 c) { return c <= 0.0031308 ? c * 12.92 : 1.055 * pow(abs(c), 1 / 2.4) - 0.055; }
-float4 tg_encode(float4 c) { return float4(tg_encode(c.rgb), c.a); }
-void tg_cover(uint i : SV_VertexID, out float4 p : SV_Position, out float2 uv : TEXCOORD0)
-{ uv = float2(i == 2 ? 2 : 0, i == 1 ? 2 : 0); p = float4(uv * float2(2, -2) + float2(-1, 1), 0, 1); }
-float4 tg_show(float4 p : SV_Position) : SV_Target { return float4(tgBackBuffer.Load(int3(p.xy, 0)).rgb, 1); }
-)";
-
-/// Three balls on a floor of squares under a sky, as near and far as ReShade's depth reckons: 1 to 1000.
-constexpr std::string_view kScene = R"(
-static const float4 tg_balls[3] = { float4(-8, 4, 21, 4), float4(4, 5, 30, 5), float4(9, 2.5, 17, 2.5) };
-static const float3 tg_tones[3] = { float3(0.75, 0.2, 0.15), float3(0.2, 0.5, 0.25), float3(0.2, 0.3, 0.75) };
-void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target, out float depth : SV_Depth)
-{
-    float3 eye = float3(0, 7, 0), ray = float3((uv.x - 0.5) * tg_aspect, 0.38 - uv.y, 1) * float3(1, 1, 1);
-    float3 light = normalize(float3(-0.5, 0.8, -0.45)), tone = lerp(float3(0.85, 0.9, 0.95), float3(0.3, 0.5, 0.85), saturate(ray.y * 3));
-    float far = 1000, z = far;
-    if (ray.y < -0.007) {
-        z = -eye.y / ray.y;
-        float2 at = floor((eye + ray * z).xz / 4);
-        tone = lerp((fmod(abs(at.x + at.y), 2) < 0.5 ? float3(0.8, 0.75, 0.65) : float3(0.3, 0.27, 0.25)) * light.y, tone, saturate(z / far));
-        for (int k = 0; k < 3; ++k)
-            tone *= 0.4 + 0.6 * saturate(length((eye + ray * z - tg_balls[k].xyz).xz - 0.6 * tg_balls[k].w * float2(0.5, 0.45)) / tg_balls[k].w);
-    }
-    for (int i = 0; i < 3; ++i) {
-        float3 from = eye - tg_balls[i].xyz;
-        float a = dot(ray, ray), b = dot(ray, from), h = b * b - a * (dot(from, from) - tg_balls[i].w * tg_balls[i].w);
-        float near = (-b - sqrt(max(h, 0))) / a;
-        if (h < 0 || near >= z) continue;
-        z = near;
-        float3 n = normalize(from + ray * z);
-        tone = tg_tones[i] * (0.25 + 0.75 * saturate(dot(n, light))) + 0.6 * pow(saturate(dot(reflect(normalize(ray), n), light)), 40);
-    }
-    colour = float4(saturate(tone), 1);
-    depth = z >= far ? 1 : saturate((1 - 1 / z) * far / (far - 1));
-}
-)";
-
-/// The picture and the depth of a caller.
-constexpr std::string_view kPicture = R"(
-Texture2D tgPictureIn < string Procedure = "checker"; >;
-SamplerState tgPicture { Texture = tgPictureIn; };
-void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target, out float depth : SV_Depth)
-{ colour = float4(tgPictureIn.SampleLevel(tgPicture, uv, 0).rgb, 1); depth = 1; }
-)";
-constexpr std::string_view kDepth = R"(
-Texture2D tgDepthIn < string Procedure = "white"; >;
-SamplerState tgDepthSampler { Texture = tgDepthIn; };
-void tg_deep(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target, out float depth : SV_Depth)
-{ tg_begin(p, uv, colour, depth); depth = saturate(tgDepthIn.SampleLevel(tgDepthSampler, uv, 0).x); }
-)";
-constexpr std::string_view kMesh = R"(
-float4x4 tgPlace : WORLDVIEWPROJECTION;
-void tg_place(float3 p : POSITION, float3 n : NORMAL, out float4 o : SV_Position, out float3 m : TEXCOORD0)
-{ o = mul(float4(p, 1), tgPlace); m = n; }
-float4 tg_mesh(float4 p : SV_Position, float3 n : TEXCOORD0) : SV_Target
-{ return float4(float3(0.8, 0.75, 0.7) * (0.3 + 0.7 * saturate(dot(normalize(n), float3(-0.27, 0.53, 0.8)))), 1); }
-)";
-
 /// Words of ReShade and those that stand for them here, each between blanks.
 constexpr std::string_view kTheirFormats =
     " R8=L8 R16=A16B16G16R16 R16F=R16F R32F=R32F RG8=A8B8G8R8 R8G8=A8B8G8R8 RG16=A16B16G16R16 RG16F=G16R16F RG32F=G32R32F RGBA8=A8B8G8R8 "
@@ -115,6 +42,13 @@ std::string replaced(std::string_view table, std::string word) {
 constexpr std::string_view kFunctions =
     " abs acos all any asin atan ceil clamp cos cosh cross degrees distance dot exp floor frac length lerp "
     "log max min noise normalize pow radians reflect round saturate sign sin sinh sqrt step tan tanh ";
+
+/// Of hlsl/reshade.hlsl.
+std::string_view part(std::string_view name) {
+    const std::string_view all = kReshadeParts;
+    const std::size_t first = all.find('\n', all.find(fmt::format("//// {}", name)));
+    return all.substr(first, all.find("////", first) - first);
+}
 
 enum class Kind { Plain, Texture, Sampler, Storage };
 
@@ -156,7 +90,7 @@ private:
         std::string texture;
         std::string sampler;
         bool storage = false;
-        bool srgb = false;
+        std::string srgb; // whether it decodes, as an expression
     };
     using Properties = std::map<std::string, Range>; // by lower-case name: the tokens of a value
 
@@ -298,10 +232,10 @@ private:
         const std::string name = qualified(range.first, end);
         if (end != range.second) return std::nullopt;
         if (const auto local = locals_.find(name); local != locals_.end())
-            return Object{.texture = "tg_t_" + name, .sampler = name, .storage = local->second == Kind::Storage};
+            return Object{"tg_t_" + name, name, local->second == Kind::Storage, "tg_b_" + name};
         const Entity* entity = resolve(name);
         if (!entity || (entity->kind != Kind::Sampler && entity->kind != Kind::Storage)) return std::nullopt;
-        return Object{entity->texture, entity->name, entity->kind == Kind::Storage, entity->srgb};
+        return Object{entity->texture, entity->name, entity->kind == Kind::Storage, entity->srgb ? "true" : "false"};
     }
 
     void rewrite(std::size_t first, std::size_t last, bool structure = false) {
@@ -328,7 +262,7 @@ private:
                 i > 0 && end < in_.size() && (in_[i - 1].is('(') || in_[i - 1].is(',')) && (in_[end].is(')') || in_[end].is(','));
             const auto passed = argument ? object({i, end}) : std::nullopt;
             if (passed && !passed->storage)
-                push(fmt::format("{}, {}", passed->texture, passed->sampler), token);
+                push(fmt::format("{}, {}, {}", passed->texture, passed->sampler, passed->srgb), token);
             else if (entity && entity->name != token.text)
                 push(entity->name, token);
             else
@@ -396,8 +330,10 @@ private:
         const std::string what = name.substr(5);
         const std::span<const Range> rest = std::span(arguments).subspan(1);
         const std::string cast = name[3] == '1' ? "int" : fmt::format("int{}", name[3]);
+        const bool gathers = what.starts_with("gather");
+        const std::string behind = fmt::format("), {})", read->srgb);
         const auto decoded = [&](const std::string& before, std::span<const Range> list) {
-            call((read->srgb ? "tg_decode(" : "") + before, list, at, read->srgb ? "))" : ")");
+            call((gathers ? "tg_decode_each(" : "tg_decode(") + before, list, at, behind);
             return true;
         };
         const auto method = [&](std::string_view word) { return fmt::format("{}.{}({},", read->texture, word, read->sampler); };
@@ -419,19 +355,19 @@ private:
         if (what == "lod" && rest.size() == 1) return decoded(fmt::format("tg_lod({}, {},", read->texture, read->sampler), rest);
         if ((what == "lod" || what == "lodoffset") && rest.size() == 2) {
             const std::array<Range, 1> place{rest[0]};
-            push(read->srgb ? "tg_decode(" : "", at);
+            push("tg_decode(", at);
             call(method("SampleLevel") + "(", place, at, name[3] == '2' ? ").xy, (" : name[3] == '1' ? ").x, (" : ").xyz, (");
             call("", place, at, ").w,");
-            return call("", rest.subspan(1), at, read->srgb ? "))" : ")"), true;
+            return call("", rest.subspan(1), at, behind), true;
         }
-        if (!what.starts_with("gather")) return false;
+        if (!gathers) return false;
         constexpr std::array kChannels = {"GatherRed", "GatherGreen", "GatherBlue", "GatherAlpha"};
         const std::size_t letter = what.size() > 6 ? std::string_view("RGBA").find(what[6]) : std::string_view::npos;
-        if (letter < 4) return call(method(kChannels[letter]), rest, at), true;
+        if (letter < 4) return decoded(method(kChannels[letter]), rest);
         const std::string channel = rest.size() > 1 ? text(rest.back()) : "0";
         const std::size_t number = channel.size() == 1 ? std::string_view("0123").find(channel) : std::string_view::npos;
         if (number > 3) return fail(2003, at, fmt::format("the component of {} is no number from 0 to 3", name)), true;
-        return call(method(kChannels[number]), rest.size() > 1 ? rest.subspan(0, rest.size() - 1) : rest, at), true;
+        return decoded(method(kChannels[number]), rest.size() > 1 ? rest.subspan(0, rest.size() - 1) : rest);
     }
 
     // Declarations.
@@ -683,7 +619,7 @@ private:
                 const std::string_view access = object->first == Kind::Storage ? "RWTexture" : "Texture";
                 push(fmt::format("{}{}D<float4> {}", access, object->second,
                                  object->first == Kind::Storage ? std::string(name.text)
-                                                                : fmt::format("tg_t_{}, SamplerState {}", name.text, name.text)),
+                                                                : fmt::format("tg_t_{0}, SamplerState {0}, bool tg_b_{0}", name.text)),
                      name);
                 continue;
             }
@@ -823,18 +759,18 @@ private:
             return found == options_.defines.end() ? std::string() : found->second;
         };
         const auto number = [](const std::string& text) { return std::max(1.0, std::strtod(text.c_str(), nullptr)); };
-        push(kHelpers, at);
+        push(part("helpers"), at);
         push(fmt::format("static const float tg_aspect = {:.6f};", number(given("BUFFER_WIDTH")) / number(given("BUFFER_HEIGHT"))), at);
-        push(given(kPictureIn).empty() ? kScene : kPicture, at);
+        push(part(given(kPictureIn).empty() ? "scene" : "picture"), at);
         const bool deep = !given(kDepthIn).empty();
-        if (deep) push(kDepth, at);
+        if (deep) push(part("depth"), at);
         constexpr std::string_view kPass =
             "pass {} < string Script = \"RenderColorTarget0=tgBackBuffer; RenderDepthStencilTarget=tgDepth; Draw={};\"; int "
             "VertexCount = 3; > {{ ZEnable = TRUE; ZWriteEnable = TRUE; ZFunc = {}; CullMode = NONE; VertexShader = compile "
             "vs_5_0 {}(); PixelShader = compile ps_5_0 {}(); }} ";
         first_ = fmt::format(fmt::runtime(kPass), "tgBegin", "Buffer", "ALWAYS", "tg_cover", deep ? "tg_deep" : "tg_begin");
         if (given(kMeshIn).empty()) return;
-        push(kMesh, at);
+        push(part("mesh"), at);
         first_ += fmt::format(fmt::runtime(kPass), "tgMesh", "Geometry", "LESSEQUAL", "tg_place", "tg_mesh");
     }
 

@@ -1,7 +1,8 @@
 // What an effect of ReShade gets besides its own code (host/effect/reshade.cpp). Each part begins with its name.
 //// helpers: of its intrinsics, and the shaders of the last pass
 Texture2D tgBackBuffer : RENDERCOLORTARGET < string Format = "A16B16G16R16"; >;
-Texture2D tgDepth : RENDERDEPTHSTENCILTARGET < string Format = "D32F_LOCKABLE"; >;
+Texture2D tgDepth : RENDERCOLORTARGET < string Format = "R32F"; >;
+Texture2D tgNearest : RENDERDEPTHSTENCILTARGET < string Format = "D32F_LOCKABLE"; >;
 static int tg_old;
 float4 tg_lod(Texture1D<float4> t, SamplerState s, float4 c) { return t.SampleLevel(s, c.x, c.w); }
 float4 tg_lod(Texture2D<float4> t, SamplerState s, float4 c) { return t.SampleLevel(s, c.xy, c.w); }
@@ -25,7 +26,7 @@ float4 tg_show(float4 p : SV_Position) : SV_Target { return float4(tgBackBuffer.
 //// scene: three balls on a floor of squares under a sky, as near and far as ReShade's depth reckons, 1 to 1000
 static const float4 tg_balls[3] = { float4(-8, 4, 21, 4), float4(4, 5, 30, 5), float4(9, 2.5, 17, 2.5) };
 static const float3 tg_tones[3] = { float3(0.75, 0.2, 0.15), float3(0.2, 0.5, 0.25), float3(0.2, 0.3, 0.75) };
-void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target, out float depth : SV_Depth)
+void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target0, out float4 deep : SV_Target1, out float depth : SV_Depth)
 {
     float3 eye = float3(0, 7, 0), ray = float3((uv.x - 0.5) * tg_aspect, 0.38 - uv.y, 1);
     float3 light = normalize(float3(-0.5, 0.8, -0.45)), tone = lerp(float3(0.85, 0.9, 0.95), float3(0.3, 0.5, 0.85), saturate(ray.y * 3));
@@ -47,24 +48,24 @@ void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour :
         tone = tg_tones[i] * (0.25 + 0.75 * saturate(dot(n, light))) + 0.6 * pow(saturate(dot(reflect(normalize(ray), n), light)), 40);
     }
     colour = float4(saturate(tone), 1);
-    depth = z >= far ? 1 : saturate((1 - 1 / z) * far / (far - 1));
+    deep = depth = z >= far ? 1 : saturate((1 - 1 / z) * far / (far - 1));
 }
 
 //// picture: of a caller
 Texture2D tgPictureIn < string Procedure = "checker"; >;
 SamplerState tgPicture { Texture = tgPictureIn; };
-void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target, out float depth : SV_Depth)
-{ colour = float4(tgPictureIn.SampleLevel(tgPicture, uv, 0).rgb, 1); depth = 1; }
+void tg_begin(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target0, out float4 deep : SV_Target1, out float depth : SV_Depth)
+{ colour = float4(tgPictureIn.SampleLevel(tgPicture, uv, 0).rgb, 1); deep = depth = 1; }
 
 //// depth: of a caller
 Texture2D tgDepthIn < string Procedure = "white"; >;
 SamplerState tgDepthSampler { Texture = tgDepthIn; };
-void tg_deep(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target, out float depth : SV_Depth)
-{ tg_begin(p, uv, colour, depth); depth = saturate(tgDepthIn.SampleLevel(tgDepthSampler, uv, 0).x); }
+void tg_deep(float4 p : SV_Position, float2 uv : TEXCOORD0, out float4 colour : SV_Target0, out float4 deep : SV_Target1, out float depth : SV_Depth)
+{ tg_begin(p, uv, colour, deep, depth); deep = depth = saturate(tgDepthIn.SampleLevel(tgDepthSampler, uv, 0).x); }
 
 //// mesh: plainly lit
 float4x4 tgPlace : WORLDVIEWPROJECTION;
 void tg_place(float3 p : POSITION, float3 n : NORMAL, out float4 o : SV_Position, out float3 m : TEXCOORD0)
 { o = mul(float4(p, 1), tgPlace); m = n; }
-float4 tg_mesh(float4 p : SV_Position, float3 n : TEXCOORD0) : SV_Target
-{ return float4(float3(0.8, 0.75, 0.7) * (0.3 + 0.7 * saturate(dot(normalize(n), float3(-0.27, 0.53, 0.8)))), 1); }
+void tg_mesh(float4 p : SV_Position, float3 n : TEXCOORD0, out float4 colour : SV_Target0, out float4 deep : SV_Target1)
+{ colour = float4(float3(0.8, 0.75, 0.7) * (0.3 + 0.7 * saturate(dot(normalize(n), float3(-0.27, 0.53, 0.8)))), 1); deep = p.z; }

@@ -765,7 +765,8 @@ private:
         const bool deep = !given(kDepthIn).empty();
         if (deep) push(part("depth"), at);
         constexpr std::string_view kPass =
-            "pass {} < string Script = \"RenderColorTarget0=tgBackBuffer; RenderDepthStencilTarget=tgDepth; Draw={};\"; int "
+            "pass {} < string Script = \"RenderColorTarget0=tgBackBuffer; RenderColorTarget1=tgDepth; RenderDepthStencilTarget=tgNearest; "
+            "Draw={};\"; int "
             "VertexCount = 3; > {{ ZEnable = TRUE; ZWriteEnable = TRUE; ZFunc = {}; CullMode = NONE; VertexShader = compile "
             "vs_5_0 {}(); PixelShader = compile ps_5_0 {}(); }} ";
         first_ = fmt::format(fmt::runtime(kPass), "tgBegin", "Buffer", "ALWAYS", "tg_cover", deep ? "tg_deep" : "tg_begin");

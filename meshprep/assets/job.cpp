@@ -152,7 +152,8 @@ Result<void> givePicture(JobOptions& options, const Effect& effect) {
             return usageError(8082, fmt::format("{}: {} changes no picture", option, effect.file.string()), "effects of ReShade do");
         const auto image = loadImage(file);
         if (!image) return image.error();
-        if (options.size.empty() && name == std::string_view("tgPictureIn")) options.size = fmt::format("{}x{}", image->width, image->height);
+        if (options.size.empty() && name == std::string_view("tgPictureIn"))
+            options.size = fmt::format("{}x{}", image->width, image->height);
         options.sets.push_back(fmt::format("{}={}", name, file));
     }
     if (effect.reshade && options.samples == 0) options.samples = 1;

@@ -291,7 +291,7 @@ private:
                 ++end;
                 return true;
             }
-        const bool texture = name.size() > 5 - 0 && name.starts_with("tex") && name[4] == 'D' && name[3] >= '1' && name[3] <= '3';
+        const bool texture = name.size() > 5 && name.starts_with("tex") && name[4] == 'D' && name[3] >= '1' && name[3] <= '3';
         if (!texture && name != "tex1D" && name != "tex2D" && name != "tex3D" && !name.starts_with("atomic")) return false;
         const std::size_t close = behind(end, ')');
         std::vector<Range> arguments = split(end + 1, close - 1, ',');

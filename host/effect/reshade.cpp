@@ -500,7 +500,7 @@ private:
             return fail(
                 1101, in_[typeAt].kind == TokenKind::Word ? peek() : in_[typeAt],
                 fmt::format("expected a declaration, found '{}'", in_[typeAt].kind == TokenKind::Word ? peek().text : in_[typeAt].text));
-        if (peek(1).is('(')) return function(first, type);
+        if (peek(1).is('(')) return function(type);
         if (!bound && (isUniform || !isConst)) return uniforms(type);
         if (!bound) push("static", in_[first]);
         const std::size_t end = find(at_, in_.size(), ";");
@@ -564,7 +564,7 @@ private:
         return "0";
     }
 
-    void function(std::size_t first, const Range& type) {
+    void function(const Range& type) {
         const Token name = peek();
         const Entity& made = declare(name, Kind::Plain);
         if (const auto size = computeSizes_.find(name.text); size != computeSizes_.end()) push(size->second, name);
@@ -572,9 +572,7 @@ private:
         const std::size_t close = behind(open, ')');
         if (failure_) return;
         locals_.clear();
-        push("", name);
         rewrite(type.first, type.second);
-        (void)first;
         push(made.name, name);
         std::string forwarded;
         std::string written;
@@ -594,11 +592,8 @@ private:
         const std::string call = fmt::format("{}({})", made.name, forwarded);
         push(fmt::format("{} tg_srgb_{}", text(type), made.name), name);
         parameters(open, close, forwarded, written);
-        if (!result.empty())
-            push(fmt::format(": {} {{ return tg_encode({}); }}", result, call), name);
-        else
-            push(fmt::format("{{ {}; {} }}", call, written.empty() ? "" : fmt::format("{0} = tg_encode({0});", written)), name);
-        locals_.clear();
+        if (!result.empty()) return push(fmt::format(": {} {{ return tg_encode({}); }}", result, call), name);
+        push(fmt::format("{{ {}; {} }}", call, written.empty() ? "" : fmt::format("{0} = tg_encode({0});", written)), name);
     }
 
     /// Of an entry point besides: its arguments, and what it writes to the first target.
@@ -681,7 +676,8 @@ private:
             if (!equalsIgnoreCase(start.text, "pass")) return fail(1101, start, fmt::format("expected a pass, found '{}'", start.text));
             const bool given = peek(1).kind == TokenKind::Word;
             std::string own = given ? std::string(peek(1).text) : fmt::format("p{}", passes.size());
-            while (std::ranges::any_of(passes, [&](const auto& other) { return other.second.text == own; }) || own.starts_with("tg"))
+            if (own.starts_with("tg")) own.insert(0, "p_");
+            while (std::ranges::any_of(passes, [&](const auto& other) { return other.second.text == own; }))
                 own += '_';
             Token at = given ? peek(1) : start;
             at.text = sources_.keep(own);
@@ -692,7 +688,7 @@ private:
             if (!failure_) passes.emplace_back(pass(own, states, at), at);
         }
         at_ = end;
-        if (!failure_) technique(named({0, 0}).empty() ? name.text : name.text, value(notes, "ui_label", ""), passes, name);
+        if (!failure_) technique(name.text, value(notes, "ui_label", ""), passes, name);
     }
 
     void technique(std::string_view name, const std::string& label, const std::vector<std::pair<std::string, Token>>& passes,
@@ -733,16 +729,16 @@ private:
         std::string text = fmt::format("pass {} < string Script = \"{}Draw=Buffer;\"; int VertexCount = {}; string Topology = \"{}\"; > "
                                        "{{ ZEnable = FALSE; CullMode = NONE; SeparateAlphaBlendEnable = TRUE; ",
                                        name, script, value(states, "vertexcount", "3"), topology);
+        if (entry("vertexshader").empty() || entry("pixelshader").empty())
+            fail(1101, at, fmt::format("pass {} lacks a vertex or a pixel shader", name), "VertexShader = name; PixelShader = name;");
         const bool encodes = truth(states, "srgbwriteenable");
         text += fmt::format("VertexShader = compile vs_5_0 {}(); PixelShader = compile ps_5_0 {}{}(); ", entry("vertexshader"),
                             encodes ? "tg_srgb_" : "", entry("pixelshader"));
         for (const auto& [state, range] : states) {
             const std::string ours(replaced(kTheirWords, state.ends_with('0') ? state.substr(0, state.size() - 1) : state));
-            const bool ordinary = std::ranges::none_of(kOfPasses, [&](std::string_view word) { return state.starts_with(word); });
-            if (!ordinary || (state.starts_with("blend") || state.starts_with("src") || state.starts_with("dest")
-                                  ? std::string_view("1234567").find(state.back()) != std::string_view::npos
-                                  : false))
-                continue;
+            const bool apart = std::ranges::any_of(kOfPasses, [&](std::string_view word) { return state.starts_with(word); });
+            const bool blends = state.starts_with("blend") || state.starts_with("src") || state.starts_with("dest"); // like target 0
+            if ((apart && ours != "ColorWriteEnable") || (blends && state.back() >= '1' && state.back() <= '7')) continue;
             const std::string value(replaced(kTheirWords, this->text(range)));
             text += fmt::format("{} = {}; ", ours, value);
             if (equalsIgnoreCase(ours, "ColorWriteEnable"))

@@ -126,6 +126,10 @@ std::vector<Case> cases() {
          kHead + "{ return tex2D(Picture, uv) * 0.5; }\ntechnique T { pass { VertexShader = VS; PixelShader = PS; } pass { VertexShader = "
                  "VS; PixelShader = PS; } }",
          [](int x, int y) { return each([=](int c) { return 0.25 * at(x, y)[c]; }); }},
+        {"masked", kHead + "{ return 1; }\ntechnique T { pass tgShow { VertexShader = VS; PixelShader = PS; RenderTargetWriteMask = 2; } }",
+         [](int x, int y) {
+             return Colour{at(x, y)[0], 1, at(x, y)[2]};
+         }},
         {"depth", "sampler Near { Texture = Deep; };\n" + kHead + "{ return tex2D(Near, uv).x; }" + kEnd,
          [](int x, int y) { return each([=](int) { return depthAt(x, y); }); }},
         {"sources",
@@ -226,6 +230,7 @@ TEST(ReshadeErrors, what_cannot_be_read_is_said_once) {
         {"technique U { pass { VertexShader = VS; PixelShader = PS; PrimitiveTopology = POINTLIST; } }", 2003, 4},
         {"technique U { pass { VertexShader = VS; PixelShader = Nowhere; } }", 2022, 4},
         {"technique U { draw { } }", 1101, 4},
+        {"technique U { pass tgShow { VertexShader = VS; } }", 1101, 4},
         {"texture { Width = 1; };", 1101, 4}};
     for (const Wrong& wrong : all) {
         const auto effect = loadEffect(written("wrong", kBegin + wrong.text + "\n" + kHead + "{ return 0; }" + kEnd), {.lenient = true});

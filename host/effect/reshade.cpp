@@ -267,7 +267,7 @@ private:
                 push(entity->name, token);
             else
                 for (std::size_t k = i; k < end; ++k)
-                    push(in_[k], end < in_.size() && in_[end].is('('));
+                    push(in_[k], entity || (end < in_.size() && in_[end].is('(')));
             i = end;
         }
     }

@@ -109,7 +109,8 @@ int channelCount(PixelFormat format) {
 Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture) {
     const auto format = targetFormat(parameter);
     if (!format) return format.error();
-    const Size size = targetSize(parameter.annotations, picture);
+    Size size = targetSize(parameter.annotations, picture);
+    if (parameter.annotations.find("MostLevels")) size = {std::max(size.width, 1.0), std::max(size.height, 1.0), size.own}; // of ReShade
     for (const double side : {size.width, size.height})
         if (!(side >= 1 && side <= kMaxExtent) || side != std::floor(side))
             return inputError(4021, parameter.at, fmt::format("target {} would be {} x {} texels", parameter.name, size.width, size.height),

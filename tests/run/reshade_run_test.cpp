@@ -126,6 +126,10 @@ std::vector<Case> cases() {
          kHead + "{ return tex2D(Picture, uv) * 0.5; }\ntechnique T { pass { VertexShader = VS; PixelShader = PS; } pass { VertexShader = "
                  "VS; PixelShader = PS; } }",
          [](int x, int y) { return each([=](int c) { return 0.25 * at(x, y)[c]; }); }},
+        {"names_of_functions",
+         "uniform float degrees = 0.5; texture Tiny { Width = BUFFER_WIDTH / 64; Height = 1; MipLevels = 9; };\n" + kHead +
+             "{ float sin = sin(0); return degrees * tex2D(Picture, uv) + sin; }" + kEnd,
+         [](int x, int y) { return each([=](int c) { return 0.5 * at(x, y)[c]; }); }},
         {"masked", kHead + "{ return 1; }\ntechnique T { pass tgShow { VertexShader = VS; PixelShader = PS; RenderTargetWriteMask = 2; } }",
          [](int x, int y) {
              return Colour{at(x, y)[0], 1, at(x, y)[2]};

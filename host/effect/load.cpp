@@ -3,6 +3,7 @@
 #include "host/effect/code_view.h"
 #include "host/effect/formats.h"
 #include "host/effect/parser.h"
+#include "host/effect/reshade.h"
 #include "host/support/kept_inputs.h"
 #include "host/support/text.h"
 
@@ -504,7 +505,15 @@ Result<Preprocessed> view(const std::filesystem::path& file, const LoadOptions& 
                                     .search = access.search,
                                     .anyCase = options.lenient};
     preprocessing.defines.push_back(std::move(define));
-    return preprocess(file, preprocessing, sources);
+    auto plain = preprocess(file, preprocessing, sources);
+    const auto techniques = [](const Token& token) { return equalsIgnoreCase(token.text.substr(0, 9), "technique"); };
+    if (plain && (plain->ownDialect || (std::ranges::any_of(plain->tokens, techniques) && !isReshade(plain->tokens)))) return plain;
+    defineReshade(preprocessing.defines);
+    auto theirs = preprocess(file, preprocessing, sources);
+    if (!theirs || !isReshade(theirs->tokens)) return plain;
+    theirs->reshade = theirs->ownDialect = true;
+    const auto rewritten = rewriteReshade(file, preprocessing, *theirs, sources);
+    return rewritten ? theirs : rewritten.error();
 }
 
 /// The plain HLSL. Its own errors matter only if the metadata view had none; they come from `#ifdef FX_ENTRY` branches.
@@ -512,7 +521,7 @@ Result<void> addCode(Effect& effect, const LoadOptions& options, const Access& a
     Sources sources;
     const Result<Preprocessed> code = view(effect.file, options, access, sources, {"FX_ENTRY", "1"});
     if (!code) return quoted(code.error(), sources);
-    const Parsed parsed = Parser(sources, code->tokens, options.lenient && !code->ownDialect).run();
+    const Parsed parsed = Parser(sources, code->tokens, options.lenient && (!code->ownDialect || code->reshade)).run();
     if (!parsed.errors.empty()) return quoted({Blame::Input, parsed.errors}, sources);
     effect.code = codeView(*code, sources, parsed.blanks) + parsed.assembled;
     for (const std::filesystem::path& include : code->includes)
@@ -540,7 +549,7 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
     Sources sources;
     Result<Preprocessed> metadata = view(file, options, access, sources, {target, "1"});
     if (!metadata) return quoted(metadata.error(), sources);
-    const bool lenient = options.lenient && !metadata->ownDialect;
+    const bool lenient = options.lenient && (!metadata->ownDialect || metadata->reshade);
     Parsed parsed = Parser(sources, metadata->tokens, lenient).run();
     if (std::ranges::none_of(parsed.errors, losesDeclarations)) checkEffect(parsed, lenient);
     if (!parsed.errors.empty()) return quoted({Blame::Input, std::move(parsed.errors)}, sources);
@@ -552,6 +561,7 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
     effect.roots.anywhere = true;
     effect.includes = metadata->includes;
     effect.ownDialect = metadata->ownDialect;
+    effect.reshade = effect.displayColours = effect.direct3D9Targets = metadata->reshade;
     effect.settings = std::move(metadata->settings);
     effect.metadata = std::move(metadata->metadata);
     effect.warnings.insert(effect.warnings.begin(), metadata->warnings.begin(), metadata->warnings.end());

@@ -205,6 +205,7 @@ struct Effect {
     bool unitSize = false;         // it expects a mesh of radius 1 at the origin
     bool direct3D9Targets = false; // a pass may sample what it draws into, and a depth target may be larger than the colours beside it
     std::string shown;             // the technique that is drawn where nobody names one; empty: as scripts say, else the first
+    bool reshade = false;          // it was ReShade FX: it changes a picture (host/effect/reshade.h)
     bool ownDialect = false;       // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact

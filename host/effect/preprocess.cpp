@@ -703,6 +703,19 @@ private:
     /// `defined X` and `defined(X)` become 1 or 0 before macros are expanded.
     bool replaceDefined(Line line, std::vector<Token>& tokens) {
         for (std::size_t i = 2; i < line.size(); ++i) {
+            if (line[i].is("exists") && i + 1 < line.size() &&
+                line[i + 1].kind == TokenKind::String) { // ReShade's: whether a file is there
+                std::vector<std::string> tried;
+                Token value = line[i];
+                value.kind = TokenKind::Number;
+                value.text =
+                    find(std::string(line[i + 1].text.substr(1, line[i + 1].text.size() - 2)), sources_[line[0].file].name, line[i], tried)
+                        ? "1"
+                        : "0";
+                tokens.push_back(value);
+                ++i;
+                continue;
+            }
             if (!line[i].is("defined")) {
                 tokens.push_back(line[i]);
                 continue;

@@ -48,6 +48,7 @@ struct Preprocessed {
     std::optional<EffectSettings> settings;      // FX_SETTINGS
     std::map<std::string, std::string> metadata; // FX_METADATA: entry, its switch's value
     bool ownDialect = false;                     // FX_ENTRY, FX_D3D10 or FX_D3D11 was asked for
+    bool reshade = false;                        // rewritten from ReShade FX
 };
 
 /// TG1001..TG1014. The tokens point into `sources`.

@@ -42,6 +42,10 @@ bool drawsMirrored(const Builder& builder, const DrawStep& step) {
     return step.kind != DrawKind::Buffer && isMirrored(builder.prepared.scene);
 }
 
+bool isStrip(const Pass& pass) {
+    return pass.annotations.string("Topology") == "trianglestrip";
+}
+
 gpu::ShaderCode codeOf(const Shader& shader) {
     return {.spirv = shader.spirv, .entry = shader.entry};
 }
@@ -70,17 +74,18 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
         return static_cast<const gpu::Pipeline*>(builder.resources.kit.pipelines.emplace(key, pipeline).first->second.get());
     };
     if (const auto shared = builder.resources.store.shared.find(source)) return keep(shared);
-    auto pipeline = builder.resources.device.createPipeline({.name = step.pass->name,
-                                                             .vertex = codeOf(program.vertex),
-                                                             .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
-                                                             .bindings = program.bindings,
-                                                             .attributes = program.attributes,
-                                                             .vertexStride = kVertexStride,
-                                                             .topology = gpu::Topology::TriangleList,
-                                                             .colorFormats = std::move(formats),
-                                                             .depthFormat = depth,
-                                                             .samples = samples,
-                                                             .state = source.state});
+    auto pipeline = builder.resources.device.createPipeline(
+        {.name = step.pass->name,
+         .vertex = codeOf(program.vertex),
+         .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
+         .bindings = program.bindings,
+         .attributes = program.attributes,
+         .vertexStride = program.attributes.empty() ? 0 : kVertexStride,
+         .topology = isStrip(*step.pass) ? gpu::Topology::TriangleStrip : gpu::Topology::TriangleList,
+         .colorFormats = std::move(formats),
+         .depthFormat = depth,
+         .samples = samples,
+         .state = source.state});
     if (!pipeline) return pipeline.error();
     const auto made = std::make_shared<const gpu::Pipeline>(std::move(*pipeline));
     builder.resources.store.shared.add(source, made);
@@ -259,6 +264,10 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     item.draw.count = geometry.indexCount;
     item.draw.instances = *instances;
     const Extent viewport = extentOf(item.targets);
+    if (const auto vertices = step.pass->annotations.numbers("VertexCount"); vertices && step.kind == DrawKind::Buffer) {
+        item.draw.indices = nullptr; // the shader places them by SV_VertexID
+        item.draw.count = static_cast<std::uint32_t>(std::clamp(vertices->front(), 0.0, 1e6));
+    }
     if (step.kind != DrawKind::Buffer) {
         if (const auto chosen = chooseTriangles(builder, step, viewport, item.draw); !chosen) return chosen;
         useCoarser(builder, viewport, item.draw);

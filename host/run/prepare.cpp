@@ -138,6 +138,8 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
                                        input.effect.direct3D9Targets ? &added : nullptr);
         !done)
         return done;
+    if (input.effect.reshade) // a back buffer is read that way
+        std::erase_if(prepared.warnings, [](const Diagnostic& one) { return one.text.find("samples tgBackBuffer") != std::string::npos; });
     for (const auto& [name, original] : added.copies)
         prepared.targets.emplace(name, prepared.targets.at(original));
     for (const auto& [name, color] : added.depths) {

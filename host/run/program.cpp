@@ -137,7 +137,7 @@ Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler 
                                 .file = effect.file.string(),
                                 .entry = std::string(key.entry),
                                 .stage = key.stage,
-                                .language2018 = own};
+                                .language2018 = own || effect.reshade};
     auto shader = compileShader(request, compiler);
     if (shader) return shader;
     Error error = shader.error();

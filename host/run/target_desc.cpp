@@ -109,7 +109,8 @@ int channelCount(PixelFormat format) {
 Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture) {
     const auto format = targetFormat(parameter);
     if (!format) return format.error();
-    const Size size = targetSize(parameter.annotations, picture);
+    Size size = targetSize(parameter.annotations, picture);
+    if (parameter.annotations.find("MostLevels")) size = {std::max(size.width, 1.0), std::max(size.height, 1.0), size.own}; // of ReShade
     for (const double side : {size.width, size.height})
         if (!(side >= 1 && side <= kMaxExtent) || side != std::floor(side))
             return inputError(4021, parameter.at, fmt::format("target {} would be {} x {} texels", parameter.name, size.width, size.height),
@@ -121,9 +122,12 @@ Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture) {
     if (mips < 0 || mips > 15 || mips != std::floor(mips))
         return inputError(4021, parameter.at, fmt::format("target {} would have {} mip levels", parameter.name, mips),
                           "0 means the full chain");
-    return TargetDesc{.extent = {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)},
+    const Extent extent{static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
+    const double most = firstNumber(parameter.annotations, "MostLevels").value_or(mips); // as many of them as there are
+    return TargetDesc{.extent = extent,
                       .format = *format,
-                      .mips = static_cast<std::uint32_t>(mips),
+                      .mips = static_cast<std::uint32_t>(
+                          most == mips ? mips : std::clamp(most, 1.0, 1 + std::floor(std::log2(std::max(size.width, size.height))))),
                       .ownSize = size.own};
 }
 

@@ -1,5 +1,7 @@
 #include "meshprep/assets/job.h"
 
+#include "host/effect/reshade.h"
+#include "host/image/image.h"
 #include "host/support/text.h"
 #include "meshprep/assets/generators.h"
 #include "meshprep/assets/given_values.h"
@@ -141,6 +143,39 @@ Result<std::vector<Diagnostic>> complete(JobOptions& options, const Workspace& w
     return notes;
 }
 
+/// An effect that changes a picture gets one, and draws as large as it is.
+Result<void> givePicture(JobOptions& options, const Effect& effect) {
+    for (const auto& [file, name, option] :
+         {std::tuple(options.pictureIn, "tgPictureIn", "--picture-in"), {options.depthIn, "tgDepthIn", "--depth-in"}}) {
+        if (file.empty()) continue;
+        if (!effect.reshade)
+            return usageError(8082, fmt::format("{}: {} changes no picture", option, effect.file.string()), "effects of ReShade do");
+        const auto image = loadImage(file);
+        if (!image) return image.error();
+        if (options.size.empty() && name == std::string_view("tgPictureIn"))
+            options.size = fmt::format("{}x{}", image->width, image->height);
+        options.sets.push_back(fmt::format("{}={}", name, file));
+    }
+    if (effect.reshade && options.samples == 0) options.samples = 1;
+    return {};
+}
+
+/// Such an effect is preprocessed with the picture's size.
+Result<void> definePicture(const JobOptions& options, std::vector<std::pair<std::string, std::string>>& defines) {
+    const auto size = parseSize(options.size.empty() ? options.usualSize : options.size);
+    if (!size) return size.error();
+    const auto define = [&](const char* name, std::string value) {
+        if (std::ranges::none_of(defines, [&](const auto& known) { return known.first == name; }) && !value.empty())
+            defines.emplace_back(name, std::move(value));
+    };
+    define("BUFFER_WIDTH", std::to_string(size->first));
+    define("BUFFER_HEIGHT", std::to_string(size->second));
+    define(kPictureIn, options.pictureIn.empty() ? "" : "1");
+    define(kDepthIn, options.depthIn.empty() ? "" : "1");
+    define(kMeshIn, options.scene.mesh.empty() ? "" : "1");
+    return {};
+}
+
 } // namespace
 
 Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const Say& say) {
@@ -164,6 +199,7 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
     const auto workspace = chooseWorkspace(sceneOptions, false);
     if (!workspace) return workspace.error();
     options.sets = given.sets;
+    if (const auto given = givePicture(options, *effect); !given) return given.error();
     const auto notes = complete(options, *workspace, *effect);
     if (!notes) return notes.error();
     const LoadOptions before = std::exchange(*load, *loadOptions(options, sceneOptions.workspace));
@@ -173,6 +209,8 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
     if (curves && takesSwitches(*effect) &&
         std::ranges::find(load->defines, kCurves, &std::pair<std::string, std::string>::first) == load->defines.end())
         load->defines.emplace_back(kCurves, "1");
+    if (effect->reshade)
+        if (const auto defined = definePicture(options, load->defines); !defined) return defined.error();
     if (load->defines != before.defines || load->setting != before.setting) effect = loadEffect(*file, *load);
     if (!effect) return effect.error();
     const std::vector<std::string>& sets = options.sets;

@@ -34,6 +34,8 @@ struct JobOptions {
     std::string preset;                  // of the effect; empty: none
     std::vector<std::string> sets;       // NAME=VALUE of parameters, textures and switches
     std::vector<std::string> binds;      // NAME=RULE
+    std::string pictureIn;               // what an effect of ReShade changes; empty: a scene of this host's
+    std::string depthIn;                 // its depth, 0 to 1; empty: far, or the scene's
     std::string size;                    // empty: the workspace's
     std::string usualSize = "1024x1024"; // where that has none
     int samples = 0;                     // a pixel; 0: the workspace's, else kUsualSamples, or one where the technique cannot have several

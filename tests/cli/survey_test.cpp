@@ -74,6 +74,35 @@ TEST(ForeignPictures, of_one_colour_are_said) {
     EXPECT_NE(red.err.find("the picture is one colour, (1.00, 0.00, 0.00)"), std::string::npos) << red.err;
 }
 
+TEST(ForeignPictures, are_classed_by_what_they_show) {
+    const fs::path folder = scratch() / "classes";
+    fs::create_directories(folder);
+    flat("classes/nothing.fx", "0");
+    flat("classes/one.fx", "float4(1, 0, 0, 1)");
+    write("classes/same.fx", "texture B : COLOR; sampler S { Texture = B; };\n"
+                             "void VS(uint i : SV_VertexID, out float4 p : SV_Position, out float2 u : TEXCOORD)\n"
+                             "{ u = float2(i == 2 ? 2 : 0, i == 1 ? 2 : 0); p = float4(u * float2(2, -2) + float2(-1, 1), 0, 1); }\n"
+                             "float4 PS(float4 p : SV_Position, float2 u : TEXCOORD) : SV_Target { return tex2D(S, u); }\n"
+                             "technique T { pass { VertexShader = VS; PixelShader = PS; } }\n");
+    const fs::path sheet = scratch() / "classes.png";
+    const Ran ran =
+        tegument({"survey", folder.string(), "--size", "32", "-o", (scratch() / "classed").string(), "--sheet", sheet.string(), "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const Json json = Json::parse(ran.out);
+    std::vector<std::string> classes;
+    for (const Json& file : json["files"])
+        classes.push_back(file["picture"]);
+    EXPECT_EQ(classes, (std::vector<std::string>{"nothing", "one colour", "unchanged"})) << ran.out;
+    EXPECT_TRUE(fs::exists(sheet));
+}
+
+TEST(ForeignPictures, are_given_to_effects_that_change_one) {
+    const Ran ran =
+        tegument({"render", flat("deaf.fx", "0"), "--picture-in", "docs/images/coats.jpg", "-o", (scratch() / "deaf.png").string()});
+    EXPECT_EQ(ran.code, 2) << ran.err;
+    EXPECT_NE(ran.err.find("TG8082"), std::string::npos) << ran.err;
+}
+
 TEST(ForeignPictures, take_a_stand_in_where_a_file_is_of_a_kind_that_only_its_host_reads) {
     fs::create_directories(scratch() / "Maps");
     ASSERT_FALSE(write("Maps/Brick.TGA", "no picture").empty());

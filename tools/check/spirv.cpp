@@ -176,7 +176,7 @@ void compileEach(Work& work, TargetCheck& report,
                                                    .file = work.file.string(),
                                                    .entry = respelt ? entry.symbol : entry.name,
                                                    .stage = entry.stage,
-                                                   .language2018 = respelt}));
+                                                   .language2018 = respelt || work.effect().reshade}));
     }
 }
 

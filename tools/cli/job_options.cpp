@@ -50,6 +50,8 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
         command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
     repeatable(command.add_option("--bind", options.binds,
                                   "NAME=RULE: what a parameter of a foreign effect gets, such as WORLDVIEWPROJECTION; may be repeated"));
+    command.add_option("--picture-in", options.pictureIn, "What an effect of ReShade changes; default: a scene of our own, or --mesh");
+    command.add_option("--depth-in", options.depthIn, "Its depth: a picture with 0 near and 1 far");
     command.add_option("--size", options.size,
                        fmt::format("Picture size in pixels: WIDTHxHEIGHT, or one number for a square; default: the workspace's, else {}",
                                    options.usualSize));

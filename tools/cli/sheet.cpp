@@ -1,6 +1,7 @@
 // tegument sheet: pictures side by side in one, with labels of columns and rows.
 
-#include "host/image/image.h"
+#include "tools/cli/sheet.h"
+
 #include "host/support/file.h"
 #include "host/support/text.h"
 #include "meshprep/assets/names.h"
@@ -180,6 +181,12 @@ int sheet(const SheetArguments& arguments) {
 }
 
 } // namespace
+
+Image contactSheet(const std::vector<Image>& images, int columns, int gap) {
+    Image sheet = arrange(images, layOut({.columns = columns, .gap = gap}, images, std::nullopt));
+    sheet.metadata = {{"Software", "Tegument"}}; // of hundreds
+    return sheet;
+}
 
 void addSheet(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<SheetArguments>();

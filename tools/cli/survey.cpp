@@ -1,5 +1,6 @@
 // tegument survey: what of a folder of effects is read, compiles, draws, and what its pictures show.
 
+#include "host/effect/reshade.h"
 #include "host/support/children.h"
 #include "host/support/system.h"
 #include "tools/check/check.h"
@@ -8,11 +9,13 @@
 #include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/picture_files.h"
+#include "tools/cli/sheet.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <future>
 #include <map>
@@ -31,6 +34,8 @@ struct SurveyOptions {
     EffectOptions effect;
     std::string size = "128";
     std::string pictures; // folder; empty: none are written
+    std::string sheet;    // file; empty: none is written
+    std::string pictureIn;
     std::string device;
     bool json = false;
 };
@@ -41,8 +46,10 @@ struct Row {
     std::string read;                           // "read", "refused: TG1101"
     std::map<std::string, std::string> targets; // verdict by target
     std::string drawn;                          // "drawn", "black", "one colour", "not drawn: TG4003"
+    std::string picture;                        // what it shows: pictureClass()
     std::string why;                            // the first message of what went wrong, with its place
     std::string construct;                      // its text alone
+    bool changes = false;                       // a picture that it is given: an effect of ReShade
 };
 
 constexpr double kLongestFile = 300; // seconds for one file; the longest seen takes 9
@@ -106,12 +113,48 @@ std::string pictureOf(const Image& image) {
     return plain->text.find("black") != std::string::npos ? "black" : "one colour";
 }
 
+/// What eight bits of it show: one colour that covers 95 % of what is not the background is a flat shape.
+std::string pictureClass(const Image& image) {
+    constexpr double kFlat = 0.95;
+    std::map<std::uint32_t, std::size_t> colours;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const auto colourAt = [&](std::size_t pixel) {
+        std::uint32_t colour = 0;
+        for (std::size_t c = 0; c < std::min<std::size_t>(channels, 3); ++c) {
+            const float value = image.pixels[pixel * channels + c];
+            colour = colour << 8U | static_cast<std::uint32_t>(value >= 0 ? std::lround(std::min(value, 1.0F) * 255) : 0); // of NaN, too
+        }
+        return colour;
+    };
+    const std::size_t pixels = image.pixels.size() / channels;
+    for (std::size_t i = 0; i < pixels; ++i)
+        ++colours[colourAt(i)];
+    if (colours.size() == 1) return colours.contains(0) ? "nothing" : "one colour";
+    if (colours.size() == 2) return "two colours";
+    const std::size_t background = colours[colourAt(0)];
+    colours.erase(colourAt(0));
+    const std::size_t most = std::ranges::max_element(colours, {}, &std::pair<const std::uint32_t, std::size_t>::second)->second;
+    return static_cast<double>(most) >= kFlat * static_cast<double>(pixels - background) ? "flat shape" : "picture";
+}
+
+/// Whether eight bits of them are the same.
+bool sameOnDisplay(const Image& a, const Image& b) {
+    return std::ranges::equal(a.pixels, b.pixels, [](float x, float y) { return std::abs(x - y) < 0.5F / 255; });
+}
+
+fs::path pictureFile(const SurveyOptions& options, const fs::path& file) {
+    std::string name = fs::relative(file, options.folder).replace_extension(".png").string();
+    std::ranges::replace(name, '/', '.');
+    return fs::path(options.pictures) / name;
+}
+
 void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& device, Row& row) {
     JobOptions wanted;
     wanted.file = file.string();
     wanted.effect = options.effect;
     wanted.size = options.size;
     wanted.samples = 1;
+    wanted.pictureIn = row.changes ? options.pictureIn : "";
     auto job = assets::loadJob(wanted, MeshFor::Technique);
     const auto refused = [&](const Error& error) {
         row.drawn = "not drawn: " + codeOf(error);
@@ -121,12 +164,15 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
     const auto result = assets::runScene(device, job->effect, job->scene, job->run);
     if (!result) return refused(result.error());
     row.drawn = pictureOf(result->image);
+    row.picture = pictureClass(result->image);
+    if (row.changes) {
+        job->run.technique = kPictureTechnique;
+        const auto before = assets::runScene(device, job->effect, job->scene, job->run);
+        if (before && sameOnDisplay(before->image, result->image)) row.picture = "unchanged";
+    }
     if (options.pictures.empty()) return;
     const PictureOptions pictures{.displayReferred = job->effect.displayColours};
-    std::string name = fs::relative(file, options.folder).replace_extension(".png").string();
-    std::ranges::replace(name, '/', '.');
-    if (const auto written = writePicture(pictures, fs::path(options.pictures) / name, result->image); !written)
-        blame(row, written.error());
+    if (const auto written = writePicture(pictures, pictureFile(options, file), result->image); !written) blame(row, written.error());
 }
 
 /// The targets' verdicts of all these files at once: Microsoft's compiler is started once for many.
@@ -169,6 +215,7 @@ void printSums(const std::vector<Row>& rows) {
     std::map<std::string, int> read;
     std::map<std::string, std::map<std::string, int>> targets;
     std::map<std::string, int> drawn;
+    std::map<std::string, int> pictures;
     Reasons refused;
     Reasons notDrawn;
     std::map<std::string, Reasons> failed; // by target
@@ -181,6 +228,7 @@ void printSums(const std::vector<Row>& rows) {
         }
         if (row.drawn.empty()) continue;
         ++drawn[row.drawn];
+        if (!row.picture.empty()) ++pictures[row.picture];
         if (row.drawn.starts_with("not drawn")) ++notDrawn[row.drawn][row.construct];
     }
     fmt::print("\n{} files\n", rows.size());
@@ -188,6 +236,7 @@ void printSums(const std::vector<Row>& rows) {
     for (const auto& [target, counts] : targets)
         printCounts(target, counts, failed[target]);
     printCounts("drawing", drawn, notDrawn);
+    printCounts("picture", pictures, {});
 }
 
 Json rowsJson(const std::vector<Row>& rows) {
@@ -197,6 +246,7 @@ Json rowsJson(const std::vector<Row>& rows) {
                         {"read", row.read},
                         {"targets", row.targets},
                         {"drawn", row.drawn},
+                        {"picture", row.picture},
                         {"why", row.why},
                         {"construct", row.construct}});
     return json;
@@ -208,6 +258,7 @@ void printRows(const std::vector<Row>& rows) {
         for (const auto& [target, verdict] : row.targets)
             line += fmt::format(", {} {}", target, verdict);
         if (!row.drawn.empty()) line += ", " + row.drawn;
+        if (!row.picture.empty() && row.drawn == "drawn") line += ", " + row.picture;
         fmt::print("{}\n", line);
         if (!row.why.empty()) fmt::print("    {}\n", row.why);
     }
@@ -239,6 +290,7 @@ std::string answerFor(const SurveyOptions& options, const std::vector<Target>& t
         blame(row, effect.error());
     } else {
         row.read = "read";
+        row.changes = effect->reshade;
         if (device) {
             draw(options, row.file, *device, row);
         } else {
@@ -256,6 +308,7 @@ Row rowOf(const ChildAnswer& answer, const std::string& file) {
     if (json.is_object()) {
         row.read = json.value("read", "");
         row.drawn = json.value("drawn", "");
+        row.picture = json.value("picture", "");
         row.targets = json.value("targets", std::map<std::string, std::string>());
         row.why = json.value("why", "");
         row.construct = json.value("construct", "");
@@ -298,9 +351,26 @@ std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path
     return rows;
 }
 
+/// All that were drawn, in the order of the table.
+Result<void> writeSheet(const SurveyOptions& options, const std::vector<Row>& rows) {
+    constexpr int kColumns = 12;
+    constexpr int kGap = 4;
+    std::vector<Image> images;
+    for (const Row& row : rows) {
+        if (row.picture.empty()) continue;
+        auto image = loadImage(pictureFile(options, row.file));
+        if (!image) return image.error();
+        images.push_back(std::move(*image));
+    }
+    if (images.empty()) return {};
+    return writePng(options.sheet, contactSheet(images, kColumns, kGap), PngEncoding::Raw);
+}
+
 int survey(const SurveyOptions& options) {
     const auto targets = targetsOf(options);
     if (!targets) return fail(targets.error(), options.json);
+    if (!options.sheet.empty())
+        if (const auto can = checkOutput(options.sheet, {}); !can) return fail(can.error(), options.json);
     if (!options.pictures.empty())
         if (const auto folder = checkFolder(options.pictures); !folder) return fail(folder.error(), options.json);
     const auto found = effectsIn(options.folder);
@@ -315,6 +385,8 @@ int survey(const SurveyOptions& options) {
     for (const Row& row : rows)
         if (row.read == "read") good.emplace_back(row.file);
     check(good, inWine, options, rows);
+    if (!options.sheet.empty())
+        if (const auto written = writeSheet(options, rows); !written) return fail(written.error(), options.json);
     if (options.json) {
         print({{"files", rowsJson(rows)}});
     } else {
@@ -334,7 +406,9 @@ void addSurvey(CLI::App& program, Action& action) {
                                    "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang, all or none; may be repeated"))
         ->capture_default_str();
     command->add_option("--size", options->size, "Picture size in pixels")->capture_default_str();
-    command->add_option("-o,--output", options->pictures, "Folder for the pictures; without it none are written");
+    CLI::Option* output = command->add_option("-o,--output", options->pictures, "Folder for the pictures; without it none are written");
+    command->add_option("--sheet", options->sheet, "All of them in one PNG, in the order of the table")->needs(output);
+    command->add_option("--picture-in", options->pictureIn, "What effects of ReShade change; default: a scene of our own");
     command->add_option("--device", options->device, "Part of the Vulkan device's name");
     command->add_flag("--json", options->json, "Print JSON");
     addEffectOptions(*command, options->effect);

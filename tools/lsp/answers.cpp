@@ -207,7 +207,7 @@ ShaderRequest requestOf(const Effect& effect, const ShaderUse& use) {
             .file = effect.file.string(),
             .entry = use.shader->entry,
             .stage = use.stage,
-            .language2018 = own};
+            .language2018 = own || effect.reshade};
 }
 
 /// What is said of an entry point that is drawn.

@@ -8,7 +8,7 @@ import path from 'node:path';
 import {execFileSync} from 'node:child_process';
 import {createRequire} from 'node:module';
 import {generate} from './generated.mjs';
-import {apart, load, names, open, places, player, reachOf, read} from './player.mjs';
+import {apart, load, open, places, player, reachOf, read} from './player.mjs';
 
 const [probe, tegument, least] = process.argv.slice(2);
 const given = least === undefined ? undefined : process.env.TEGUMENT_GLTF_SAMPLES;
@@ -55,12 +55,16 @@ function probed(file, animation, times) {
   return read(out, count, times.length);
 }
 
+/// Those that move nodes; KHR_animation_pointer moves other things.
+const channels = animation => animation.channels.filter(channel => channel.target.node !== undefined && channel.target.path !== 'pointer');
+
 /// What an accessor stands for, as floats.
 function numbersOf({json, buffers}, index) {
   const accessor = json.accessors[index];
   const width = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16}[accessor.type];
   const [size, get, most] = {5120: [1, 'readInt8', 127], 5121: [1, 'readUInt8', 255], 5122: [2, 'readInt16LE', 32767], 5123: [2, 'readUInt16LE', 65535], 5125: [4, 'readUInt32LE', 1], 5126: [4, 'readFloatLE', 1]}[accessor.componentType];
   const view = json.bufferViews[accessor.bufferView];
+  if (!view) return new Float32Array(width * accessor.count);
   const stride = view.byteStride ?? width * size;
   const result = new Float32Array(width * accessor.count);
   for (let i = 0; i < result.length; ++i) {
@@ -88,7 +92,6 @@ function lost(before, after) {
     const other = after.json.skins?.[i];
     if (!other || !same(skin.joints, other.joints) || (!packed && !same(numbers(before, skin.inverseBindMatrices), numbers(after, other.inverseBindMatrices)))) found.push(`skin ${i}`);
   });
-  const channels = animation => animation.channels.filter(channel => channel.target.node !== undefined && channel.target.path !== 'pointer');
   (before.json.animations ?? []).filter(animation => channels(animation).length > 0).forEach((animation, i) => {
     const other = after.json.animations?.[i];
     if (!other || animation.name !== other.name) return found.push(`animation ${i}`);
@@ -122,11 +125,13 @@ async function judge(file, drawn) {
   const moved = centre.moved.map(v => v / 1000);
   const back = rows => rows.map(row => row.map((v, i) => v - moved[i % 3]));
   const before = await load(await library, file), after = await load(await library, made);
-  const animations = names(before).length > 0 ? names(before).map((_, i) => i).slice(0, 4) : [null];
+  const moving = (before.json.animations ?? []).map((animation, i) => channels(animation).length > 0 ? i : -1).filter(i => i >= 0);
+  const animations = moving.length > 0 ? moving.map((_, i) => i).slice(0, 4) : [null];
   for (const animation of animations) {
-    const length = animation === null ? 0 : before.gltf.animations[animation].duration;
+    const theirs = animation === null ? null : moving[animation];
+    const length = animation === null ? 0 : before.gltf.animations[theirs].duration;
     const times = [0, 0.21, 0.5, 0.83, 1.1].map(share => share * length);
-    const wanted = places(before, animation, times);
+    const wanted = places(before, theirs, times);
     const reach = reachOf(wanted);
     note(`animation ${animation} as read`, apart(wanted, probed(file, animation, times), reach), reach);
     note(`animation ${animation} as written, by three.js`, apart(wanted, back(places(after, animation, times)), reach), reach);

@@ -51,10 +51,6 @@ export async function load({THREE, GLTFLoader}, file) {
   return {THREE, gltf, json};
 }
 
-export function names({gltf}) {
-  return gltf.animations.map(animation => animation.name);
-}
-
 /// The default pose, or `animation` (a number) at a time; before the first and after the last key things stand still.
 function pose(loaded, animation, seconds) {
   const {THREE, gltf} = loaded;

@@ -44,7 +44,7 @@ function filesBelow(folder) {
 async function messages(file) {
   const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {
     maxIssues: 1000, ignoredIssues: ['IO_ERROR'],
-    externalResourceFunction: uri => Promise.resolve(new Uint8Array(fs.readFileSync(path.join(path.dirname(file), decodeURIComponent(uri)))))});
+    externalResourceFunction: async uri => new Uint8Array(fs.readFileSync(path.join(path.dirname(file), decodeURIComponent(uri))))});
   const of = severity => [...new Set(report.issues.messages.filter(message => message.severity === severity).map(message => message.code))];
   return {errors: of(0), warnings: of(1)};
 }

@@ -106,9 +106,10 @@ function lost(before, after) {
 
 function draw(file, animation, times) {
   const morphs = JSON.parse(run(tegument, 'info', file, '--json')).morphs;
+  const mapped = open(file).json.meshes.every(mesh => mesh.primitives.every(primitive => primitive.attributes.TEXCOORD_0 !== undefined));
   times.forEach((seconds, i) => {
     const moment = animation !== null ? ['--animation', String(animation), '--time', String(seconds)] : morphs.length > 0 ? ['--morph', `${morphs[0].name}=${i / 4}`] : [];
-    run(tegument, 'render', 'OriginalTexture', '--mesh', file, '--size', '64', '--samples', '1', ...moment, '-o', path.join(work, 'drawn.png'));
+    run(tegument, 'render', mapped ? 'OriginalTexture' : 'Fur', '--mesh', file, '--size', '64', '--samples', '1', ...moment, '-o', path.join(work, 'drawn.png'));
   });
 }
 

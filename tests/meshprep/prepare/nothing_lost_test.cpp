@@ -358,7 +358,7 @@ TEST_F(NothingLost, each_kind_of_thing_that_goes_is_one_warning) {
     gltf.json["scenes"][0]["nodes"].push_back(1);
     gltf.json["animations"] = Json::array({{{"channels", Json::array()}, {"samplers", Json::array()}}});
     gltf.json["cameras"] = Json::array({{{"type", "perspective"}}});
-    const auto place = gltf.addAccessor<float>({0, 0, 0}, 5126, "VEC3", 1);
+    const auto place = gltf.addAccessor<float>({0, 0, 0}, 5126, "VEC3", 3);
     gltf.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = place; // instances do not move
     const prep::Prepared result = prepared(write("rig.glb", gltf.glb()));
     EXPECT_EQ(result.mesh.indices.size() / 3, 8u) << "drawn twice";
@@ -378,19 +378,20 @@ TEST_F(NothingLost, what_moves_a_mesh_is_written_again_and_what_cannot_be_is_nam
     primitive["attributes"]["WEIGHTS_0"] = gltf.addAccessor<float>(weights, 5126, "VEC4", 4);
     gltf.json["skins"] = Json::array({{{"joints", {1, 2}}, {"name", "body"}}});
     gltf.json["nodes"][0]["skin"] = 0;
-    gltf.json["nodes"].push_back({{"name", "hip"}, {"children", {2}}, {"translation", {0, 1, 0}}});
+    gltf.json["nodes"].push_back({{"name", "hip"}, {"children", Json::array({2})}, {"translation", {0, 1, 0}}});
     gltf.json["nodes"].push_back({{"name", "head"}, {"camera", 0}, {"extensions", {{"ACME_hat", Json::object()}}}});
     gltf.json["scenes"][0]["nodes"].push_back(1);
     gltf.json["cameras"] = Json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}});
-    const auto times = gltf.addAccessor<float>({0, 0.1f}, 5126, "SCALAR", 2);
-    const auto turns = gltf.addAccessor<float>({0, 0, 0, 1, 0.6f, 0, 0, 0.8f}, 5126, "VEC4", 2);
+    const auto times = gltf.addAccessor<float>({0, 0.1f}, 5126, "SCALAR", 1);
+    const auto turns = gltf.addAccessor<float>({0, 0, 0, 1, 0.6f, 0, 0, 0.8f}, 5126, "VEC4", 4);
     const auto channel = [](const Json& target) { return Json{{"sampler", 0}, {"target", target}}; };
-    gltf.json["animations"] = Json::array({{{"name", "nod"},
-                                            {"channels", {channel({{"node", 2}, {"path", "rotation"}}), channel({{"path", "pointer"}})}},
-                                            {"samplers", Json::array({{{"input", times}, {"output", turns}}})}},
-                                           {{"name", "broken"},
-                                            {"channels", Json::array({channel({{"node", 2}, {"path", "rotation"}})})},
-                                            {"samplers", Json::array({{{"input", turns}, {"output", turns}}})}}});
+    gltf.json["animations"] =
+        Json::array({{{"name", "nod"},
+                      {"channels", {channel({{"node", 2}, {"path", "rotation"}}), channel(Json::object({{"path", "pointer"}}))}},
+                      {"samplers", Json::array({{{"input", times}, {"output", turns}}})}},
+                     {{"name", "broken"},
+                      {"channels", Json::array({channel({{"node", 2}, {"path", "rotation"}})})},
+                      {"samplers", Json::array({{{"input", turns}, {"output", turns}}})}}});
     const prep::Prepared result = prepared(write("rig.glb", gltf.glb()));
     for (const char* what : {"ACME_hat of node 'head'", "1 channels of animation 'nod'", "animation 'broken' is left out"})
         EXPECT_EQ(warningsOf(result.report.warnings, 5331, what), 1u) << what;

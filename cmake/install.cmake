@@ -24,7 +24,7 @@ set(public_headers
     host/support/state.h host/support/text.h host/effect/entry_points.h host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
     host/spirv/compile.h host/spirv/dxil.h tools/direct3d/microsoft.h tools/check/check.h tools/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
-    host/mesh/mesh.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
+    host/mesh/mesh.h host/mesh/motion.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
     host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h
     host/run/session.h host/run/session_frame.h
     meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h

@@ -29,6 +29,7 @@ std::size_t componentSize(std::size_t type) {
 }
 
 std::size_t componentsOf(const std::string& type) {
+    if (type == "MAT4") return 16; // of floats: no padding
     static constexpr std::array<std::string_view, 4> kTypes = {"SCALAR", "VEC2", "VEC3", "VEC4"};
     const auto* found = std::ranges::find(kTypes, type);
     return found == kTypes.end() ? 0 : static_cast<std::size_t>(found - kTypes.begin()) + 1;
@@ -93,7 +94,8 @@ Result<GltfDocument::Run> GltfDocument::place(const GltfValue& owner, Run run) c
 
 std::size_t GltfDocument::components(std::size_t accessor) const {
     const auto value = item("accessors", accessor);
-    return value ? componentsOf(value->text("type")) : 0;
+    const std::size_t count = value ? componentsOf(value->text("type")) : 0;
+    return count > 4 ? 0 : count;
 }
 
 /// An accessor without a buffer view is all zeros; its run has no bytes.

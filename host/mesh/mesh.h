@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,8 @@ struct MaterialSet {
     std::vector<std::string> images; // the files that "images" lists: JPEG stays JPEG
 };
 
+struct Motion; // host/mesh/motion.h
+
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions; // mm, counted from `origin`
@@ -83,6 +86,9 @@ struct Mesh {
     std::string attribution; // shown with every picture of it; from glTF asset.copyright
     double unitMm = 1;       // what one unit of the file was taken for
     Bounds bounds;
+    std::shared_ptr<const Motion> motion{};      // what moves it; null: nothing
+    std::vector<std::uint32_t> motionVertices{}; // of each vertex, which of the motion's it is
+    glm::dmat4 motionRoot{1};                    // from the motion's world to the mesh's, in mm, from 0 on
     std::vector<Diagnostic> warnings;
 };
 

@@ -132,6 +132,7 @@ void copyVertex(Mesh& mesh, std::uint32_t vertex) {
     copy(mesh.tangents);
     copy(mesh.uvs);
     copy(mesh.colors);
+    copy(mesh.motionVertices);
     for (MeshAttribute& attribute : mesh.attributes)
         for (std::size_t c = 0; c < attribute.components; ++c)
             attribute.values.push_back(double{attribute.values[vertex * attribute.components + c]});

@@ -2,6 +2,7 @@
 
 #include "host/mesh/gltf_document.h"
 #include "host/mesh/gltf_draco.h"
+#include "host/mesh/gltf_motion.h"
 #include "host/mesh/materials.h"
 
 #include <fmt/format.h>
@@ -18,36 +19,12 @@ namespace tegument::meshfile {
 
 namespace {
 
-/// How positions, normals and tangents of one node are carried into the world.
-struct GltfCarrier {
-    glm::dmat4 matrix{1};
-    glm::dmat3 linear{1};
-    glm::dmat3 normals{1};
-    bool mirrors = false;
-    bool turns = true; // false: a uniform scale leaves directions bit for bit as they are
-
-    explicit GltfCarrier(const glm::dmat4& m) : matrix(m), linear(m) {
-        const double scale = linear[0][0];
-        turns = !(scale > 0 && linear == glm::dmat3(scale));
-        mirrors = glm::determinant(linear) < 0;
-        // cofactor matrix: the inverse transpose without its division, so it exists for flattened meshes too
-        normals = glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
-        if (mirrors) normals = -normals;
-    }
-
-    [[nodiscard]] glm::vec3 direction(const glm::dmat3& by, const glm::vec3& v) const {
-        if (!turns) return v;
-        const glm::dvec3 carried = by * glm::dvec3(v);
-        const double length = glm::length(carried);
-        return length > 0 ? glm::vec3(carried / length) : glm::vec3(0);
-    }
-};
-
 /// A mesh as one node draws it.
 struct GltfDraw {
     std::size_t mesh = 0;
-    std::string nodeName;
-    GltfCarrier carrier;
+    std::optional<std::size_t> node{};
+    std::string nodeName{};
+    Carrier carrier;
 };
 
 /// A node to visit, with the product of the transforms above it (GLM's order: column vectors, as the specification writes them).
@@ -101,7 +78,7 @@ private:
         warn(mesh_, 5323, source_.whole(),
              fmt::format("no node of the scene refers to the file's {} meshes: all are read, where they are", count));
         for (std::size_t i = 0; i < count; ++i)
-            draws_.push_back({.mesh = i, .carrier = GltfCarrier(unit)});
+            draws_.push_back({.mesh = i, .carrier = Carrier(unit)});
     }
 
     /// In reverse, so that the stack gives them back in the file's order.
@@ -139,16 +116,15 @@ private:
         const GltfValue meshes = document_.root()["meshes"];
         const auto index = node.whole("mesh", meshes.size(), {});
         if (!index) return index.error();
-        if (node.has("skin") && !source_.carryMaterials)
-            warn(mesh_, 5323, source_.whole(), node.path() + ": its skin is ignored, the mesh is read as it was modelled");
         if (node["extensions"].has("EXT_mesh_gpu_instancing"))
-            return drawInstances(node, node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"], *index, world);
-        draws_.push_back({.mesh = *index, .nodeName = node.text("name"), .carrier = GltfCarrier(world)});
+            return drawInstances(node, node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"], *index, world, visit.node);
+        draws_.push_back({.mesh = *index, .node = visit.node, .nodeName = node.text("name"), .carrier = Carrier(world)});
         return std::nullopt;
     }
 
     /// EXT_mesh_gpu_instancing: a place, a turn and a size for each instance; what is absent is as in a node.
-    std::optional<Error> drawInstances(const GltfValue& node, const GltfValue& attributes, std::size_t mesh, const glm::dmat4& world) {
+    std::optional<Error> drawInstances(const GltfValue& node, const GltfValue& attributes, std::size_t mesh, const glm::dmat4& world,
+                                       std::size_t number) {
         const std::array<std::pair<const char*, std::size_t>, 3> kNames = {{{"TRANSLATION", 3}, {"ROTATION", 4}, {"SCALE", 3}}};
         std::array<std::vector<float>, 3> values;
         std::size_t count = SIZE_MAX;
@@ -171,7 +147,7 @@ private:
             for (glm::length_t c = 0; c < 3; ++c)
                 local[c] *= at(2, static_cast<std::size_t>(c), 1);
             local[3] = glm::dvec4(at(0, 0, 0), at(0, 1, 0), at(0, 2, 0), 1);
-            draws_.push_back({.mesh = mesh, .nodeName = node.text("name"), .carrier = GltfCarrier(world * local)});
+            draws_.push_back({.mesh = mesh, .node = number, .nodeName = node.text("name"), .carrier = Carrier(world * local)});
         }
         return std::nullopt;
     }
@@ -242,7 +218,7 @@ public:
         if (count > 0) warn(mesh_, 5331, root_.source().whole(), fmt::format("{} {}", count, what), std::move(hint));
     }
 
-    void ofMeshes(const std::vector<std::size_t>& meshes) {
+    void ofMeshes(const std::vector<std::size_t>& meshes, bool moves) {
         const std::set<std::size_t> used(meshes.begin(), meshes.end());
         std::size_t targets = 0;
         std::size_t weighted = 0;
@@ -250,8 +226,8 @@ public:
         for (const std::size_t index : used) {
             const GltfValue primitives = root_["meshes"][index]["primitives"];
             for (std::size_t i = 0; i < primitives.size(); ++i) {
-                targets += primitives[i]["targets"].size();
-                weighted += primitives[i]["attributes"].has("JOINTS_0");
+                targets += moves ? 0 : primitives[i]["targets"].size();
+                weighted += !moves && primitives[i]["attributes"].has("JOINTS_0");
                 variants += primitives[i]["extensions"].has("KHR_materials_variants");
             }
         }
@@ -262,10 +238,10 @@ public:
         tell(meshes.size() - used.size(), "copies of meshes that several nodes or instances draw become triangles of their own");
     }
 
-    void ofScene() {
-        tell(root_["animations"].size(), "animations are left out");
-        tell(root_["cameras"].size(), "cameras are left out");
-        tell(root_["extensions"]["KHR_lights_punctual"]["lights"].size(), "lights are left out");
+    void ofScene(bool moves) {
+        if (!moves) tell(root_["animations"].size(), "animations are left out");
+        if (!moves) tell(root_["cameras"].size(), "cameras are left out");
+        if (!moves) tell(root_["extensions"]["KHR_lights_punctual"]["lights"].size(), "lights are left out");
         if (root_["scenes"].size() > 1) tell(root_["scenes"].size() - 1, "scenes besides the default one are left out");
     }
 
@@ -275,11 +251,11 @@ private:
 };
 
 /// One warning (TG5331) for each kind of thing that goes: morph targets, skins, animations, copies that were drawn by one mesh ...
-/// `meshes`: the mesh of each draw.
-void warnOfLosses(const GltfDocument& document, const std::vector<std::size_t>& meshes, Mesh& mesh) {
+/// `meshes`: the mesh of each draw. `moves`: nodes, skins, morph targets and animations are kept.
+void warnOfLosses(const GltfDocument& document, const std::vector<std::size_t>& meshes, bool moves, Mesh& mesh) {
     Losses losses(document, mesh);
-    losses.ofMeshes(meshes);
-    losses.ofScene();
+    losses.ofMeshes(meshes, moves);
+    losses.ofScene(moves);
 }
 
 /// Collects the textures of the materials that are drawn: "color" (baseColorTexture), "normal" (normalTexture), and whatever a material's
@@ -611,8 +587,9 @@ public:
         draws_ = std::move(*draws);
         exactFrom_ = draws_.empty() ? glm::dvec3(0) : glm::dvec3(draws_.front().carrier.matrix[3]);
         moved_ = std::ranges::any_of(draws_, [](const GltfDraw& draw) { return glm::dvec3(draw.carrier.matrix[3]) != glm::dvec3(0); });
+        if (auto error = readWhatMoves()) return *error;
         for (const GltfDraw& draw : draws_)
-            if (auto error = readMesh(document_.root()["meshes"][draw.mesh], draw.nodeName, draw.carrier)) return *error;
+            if (auto error = readMesh(document_.root()["meshes"][draw.mesh], draw)) return *error;
         // Attributes that only some primitives have are not usable for all: normals and tangents are made anew, UVs are filled.
         if (!allNormals_) mesh_.normals.clear();
         if (!allTangents_) mesh_.tangents.clear();
@@ -621,7 +598,12 @@ public:
         counts_.vertices = mesh_.positions.size();
         if (source_.carryMaterials) {
             mesh_.materials = carriedMaterials(document_, mesh_);
-            warnOfLosses(document_, usedMeshes(), mesh_);
+            warnOfLosses(document_, usedMeshes(), motion_ != nullptr, mesh_);
+        }
+        if (motion_) {
+            findKinds(*motion_);
+            mesh_.motion = motion_;
+            mesh_.motionRoot = glm::dmat4(glm::dmat3(source_.unitMm));
         }
         ReadMesh read{.mesh = std::move(mesh_), .counts = counts_, .exact = std::move(exact_), .exactFrom = exactFrom_};
         if (!source_.carryMaterials) textures_.finish(read);
@@ -636,25 +618,41 @@ private:
         return meshes;
     }
 
-    std::optional<Error> readMesh(const GltfValue& mesh, const std::string& nodeName, const GltfCarrier& carrier) {
-        const std::string name = mesh.text("name").empty() ? nodeName : mesh.text("name");
+    std::optional<Error> readWhatMoves() {
+        std::vector<std::size_t> nodes;
+        for (const GltfDraw& draw : draws_)
+            if (draw.node) nodes.push_back(*draw.node);
+        auto motion = readMotion(document_, nodes, mesh_);
+        if (!motion) return motion.error();
+        motion_ = std::move(*motion);
+        if (!motion_) return std::nullopt;
+        rest_ = stateAt(*motion_, nullptr, 0);
+        shape_.emplace(*motion_, rest_, glm::dmat4(glm::dmat3(source_.unitMm)));
+        return std::nullopt;
+    }
+
+    std::optional<Error> readMesh(const GltfValue& mesh, const GltfDraw& draw) {
+        const std::string name = mesh.text("name").empty() ? draw.nodeName : mesh.text("name");
         if (mesh_.name.empty()) mesh_.name = name;
         vertexBase_.clear(); // shared vertices are carried once per node
         const GltfValue primitives = mesh["primitives"];
         for (std::size_t i = 0; i < primitives.size(); ++i)
-            if (auto error = readPrimitive(primitives[i], name, carrier)) return error;
+            if (auto error = readPrimitive(mesh, primitives[i], name, draw)) return error;
         return std::nullopt;
     }
 
-    std::optional<Error> readPrimitive(const GltfValue& primitive, const std::string& meshName, const GltfCarrier& carrier) {
+    std::optional<Error> readPrimitive(const GltfValue& mesh, const GltfValue& primitive, const std::string& meshName,
+                                       const GltfDraw& draw) {
         const auto mode = primitive.whole("mode", 7, 4);
         if (!mode) return mode.error();
         if (*mode < 4) {
             ++skipped_;
             return std::nullopt;
         }
-        const auto vertices = vertexRange(primitive, carrier);
+        const auto vertices = vertexRange(mesh, primitive, draw);
         if (!vertices) return vertices.error();
+        const bool mirrors =
+            shape_ && vertices->count > 0 ? shape_->carrier(static_cast<std::uint32_t>(vertices->base)).mirrors : draw.carrier.mirrors;
         const bool packed = isDraco(primitive);
         const std::uint32_t restart = packed || *mode == 4 ? kNoRestart : restartOf(primitive);
         auto corners = packed ? packedCorners(primitive) : readCorners(primitive, vertices->count, restart);
@@ -662,7 +660,7 @@ private:
         const auto first = static_cast<std::uint32_t>(mesh_.indices.size());
         for (auto from = corners->begin(); from != corners->end();) {
             const auto to = restart == kNoRestart ? corners->end() : std::find(from, corners->end(), restart);
-            addTriangles(std::span(from, to), packed ? 4 : *mode, *vertices, carrier.mirrors);
+            addTriangles(std::span(from, to), packed ? 4 : *mode, *vertices, mirrors);
             from = to == corners->end() ? to : to + 1;
         }
         if (mesh_.indices.size() > kMaxIndices) return tooLarge(source_.whole());
@@ -675,8 +673,9 @@ private:
     };
 
     /// Primitives of one mesh that name the same accessors share their vertices.
-    Result<VertexRange> vertexRange(const GltfValue& primitive, const GltfCarrier& carrier) {
+    Result<VertexRange> vertexRange(const GltfValue& mesh, const GltfValue& primitive, const GltfDraw& draw) {
         std::string key = primitive["attributes"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
+        key += primitive["targets"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
         if (isDraco(primitive)) key += primitive["extensions"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
         const auto uses = source_.carryMaterials ? Result<UvUse>(UvUse()) : uvUseOf(document_, primitive);
         if (!uses) return uses.error();
@@ -691,7 +690,8 @@ private:
         }
         const VertexRange range{.base = mesh_.positions.size(), .count = attributes->positions.size() / 3};
         if (range.base + range.count > kMaxVertices) return tooLarge(source_.whole());
-        if (auto error = addVertices(*attributes, carrier, primitive)) return *error;
+        if (auto error = motion_ ? addRun(*attributes, mesh, primitive, draw) : std::nullopt) return *error;
+        if (auto error = addVertices(*attributes, draw.carrier, primitive)) return *error;
         vertexBase_[key] = range;
         return range;
     }
@@ -816,18 +816,46 @@ private:
             attribute.values.resize((before + count) * attribute.components, 0);
     }
 
-    std::optional<Error> addVertices(const Attributes& from, const GltfCarrier& carrier, const GltfValue& primitive) {
+    std::optional<Error> addRun(const Attributes& from, const GltfValue& mesh, const GltfValue& primitive, const GltfDraw& draw) {
+        const std::size_t count = from.positions.size() / 3;
+        MotionRun run{.node = *draw.node, .meshName = mesh.text("name"), .firstVertex = mesh_.positions.size(), .count = count};
+        run.hasNormals = !from.normals.empty();
+        run.hasTangents = !from.tangents.empty();
+        const auto floats = [&](const std::string& name) -> Result<std::vector<float>> {
+            auto values = valuesOf(primitive, name, 4);
+            if (!values) return values.error();
+            return std::move(values->numbers);
+        };
+        if (auto error = readRun(document_, mesh, primitive, floats, *motion_, run, mesh_)) return error;
+        motion_->runs.push_back(std::move(run));
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto at = [&](const std::vector<float>& list, std::size_t width, std::size_t c) {
+                return list.empty() ? 0.0f : list[width * i + c];
+            };
+            const auto vector = [&](const std::vector<float>& list, std::size_t width) {
+                return glm::vec3(at(list, width, 0), at(list, width, 1), at(list, width, 2));
+            };
+            motion_->positions.push_back(vector(from.positions, 3));
+            motion_->normals.push_back(vector(from.normals, 3));
+            motion_->tangents.emplace_back(vector(from.tangents, 4), at(from.tangents, 4, 3));
+            mesh_.motionVertices.push_back(static_cast<std::uint32_t>(motion_->positions.size() - 1));
+        }
+        return std::nullopt;
+    }
+
+    std::optional<Error> addVertices(const Attributes& from, const Carrier& ofNode, const GltfValue& primitive) {
         const std::size_t count = from.positions.size() / 3;
         allNormals_ = allNormals_ && !from.normals.empty();
         allTangents_ = allTangents_ && !from.tangents.empty();
         for (std::size_t i = 0; i < count; ++i) {
-            const glm::dvec4 local(from.positions[3 * i], from.positions[3 * i + 1], from.positions[3 * i + 2], 1);
+            const Carrier carrier = shape_ ? shape_->carrier(static_cast<std::uint32_t>(mesh_.positions.size())) : ofNode;
+            const glm::dvec4 local(morphed(&from.positions[3 * i], &MorphTarget::positions), 1);
             const glm::vec3 position = glm::vec3(glm::dvec3(carrier.matrix * local));
             if (!source_.keepNotFinite && !isFinite(position))
                 return notFinite(source_.whole(), fmt::format("{}: vertex {} is not finite", primitive.path(), i));
+            addDirections(from, i, carrier);
             mesh_.positions.push_back(position);
             if (moved_) exact_.push_back(carrier.linear * glm::dvec3(local) + (glm::dvec3(carrier.matrix[3]) - exactFrom_));
-            addDirections(from, i, carrier);
             mesh_.uvs.push_back(from.uvs.empty() ? glm::vec2(0) : glm::vec2(from.uvs[2 * i], from.uvs[2 * i + 1]));
         }
         withoutUvs_ += from.uvs.empty() ? count : 0;
@@ -835,12 +863,17 @@ private:
         return std::nullopt;
     }
 
-    void addDirections(const Attributes& from, std::size_t i, const GltfCarrier& carrier) {
+    /// Of the vertex that comes next.
+    [[nodiscard]] glm::dvec3 morphed(const float* v, std::vector<glm::vec3> MorphTarget::*list) const {
+        const glm::dvec3 own(v[0], v[1], v[2]);
+        return shape_ ? shape_->morphed(static_cast<std::uint32_t>(mesh_.positions.size()), own, list) : own;
+    }
+
+    void addDirections(const Attributes& from, std::size_t i, const Carrier& carrier) {
         if (allNormals_)
-            mesh_.normals.push_back(
-                carrier.direction(carrier.normals, {from.normals[3 * i], from.normals[3 * i + 1], from.normals[3 * i + 2]}));
+            mesh_.normals.push_back(carrier.direction(carrier.normals, glm::vec3(morphed(&from.normals[3 * i], &MorphTarget::normals))));
         if (!allTangents_) return;
-        const glm::vec3 tangent(from.tangents[4 * i], from.tangents[4 * i + 1], from.tangents[4 * i + 2]);
+        const glm::vec3 tangent(morphed(&from.tangents[4 * i], &MorphTarget::tangents));
         const float sign = from.tangents[4 * i + 3] * (carrier.mirrors ? -1.0f : 1.0f);
         mesh_.tangents.emplace_back(carrier.direction(carrier.linear, tangent), sign);
     }
@@ -942,6 +975,9 @@ private:
     ReadCounts counts_;
     std::vector<GltfDraw> draws_;
     std::map<std::string, VertexRange> vertexBase_;
+    std::shared_ptr<Motion> motion_; // and its default pose
+    MotionState rest_;
+    std::optional<MotionShape> shape_;
     std::vector<glm::dvec3> exact_; // positions from exactFrom_ on, where a node moves some
     glm::dvec3 exactFrom_{0};
     bool moved_ = false;

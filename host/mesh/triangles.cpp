@@ -22,6 +22,7 @@ void gatherVertices(Mesh& mesh, std::span<const std::uint32_t> from) {
     gather(mesh.tangents, from);
     gather(mesh.uvs, from);
     gather(mesh.colors, from);
+    gather(mesh.motionVertices, from);
     for (MeshAttribute& attribute : mesh.attributes) {
         std::vector<double> gathered;
         gathered.reserve(from.size() * attribute.components);

@@ -2,6 +2,7 @@
 // multiplies by 0.001 * 1000, which is exactly 1 in double precision, so every float returns bit for bit.
 
 #include "host/mesh/glb.h"
+#include "host/mesh/glb_motion.h"
 #include "host/mesh/materials.h"
 #include "host/support/file.h"
 
@@ -14,6 +15,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <set>
 #include <span>
 
@@ -67,10 +69,12 @@ public:
         addMaterials();
         if (auto error = addTextures()) return *error;
         addVertices();
-        addMesh(mesh_.indices, mesh_.parts, 0);
+        const bool moves = mesh_.motion != nullptr;
+        if (moves) addMoving();
+        if (!moves) addMesh(mesh_.indices, mesh_.parts, 0);
         for (const MeshLevel& level : options_.levels)
-            addMesh(level.indices, level.parts, level.errorMm);
-        addNodes();
+            if (!moves) addMesh(level.indices, level.parts, level.errorMm);
+        if (!moves) addNodes();
         addExtensions();
         json_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
         return container();
@@ -78,6 +82,7 @@ public:
 
 private:
     [[nodiscard]] glm::dvec3 place() const { return options_.place + mesh_.origin; }
+    [[nodiscard]] bool severalRanges() const { return options_.partsOwnVertices || mesh_.motion; }
     [[nodiscard]] bool small() const { return options_.format == VertexFormat::Unorm16; }
 
     std::size_t addView(const void* data, std::size_t size, std::optional<int> target) {
@@ -94,7 +99,7 @@ private:
         attribute.stride = sizeof(T);
         attribute.view = addView(values.data(), values.size_bytes(), kVertexBuffer);
         // parts with vertices of their own are accessors of one view, whose stride glTF wants to be told
-        if (padded || options_.partsOwnVertices) json_["bufferViews"].back()["byteStride"] = sizeof(T);
+        if (padded || severalRanges()) json_["bufferViews"].back()["byteStride"] = sizeof(T);
         attributes_.push_back(std::move(attribute));
     }
 
@@ -148,7 +153,7 @@ private:
         Attribute attribute = {.name = gltfName(from), .type = typeOf(from)};
         attribute.stride = from.components * sizeof(float);
         attribute.view = addView(values.data(), values.size() * sizeof(float), kVertexBuffer);
-        if (options_.partsOwnVertices) json_["bufferViews"].back()["byteStride"] = attribute.stride;
+        if (severalRanges()) json_["bufferViews"].back()["byteStride"] = attribute.stride;
         attributes_.push_back(std::move(attribute));
     }
 
@@ -259,14 +264,67 @@ private:
         for (const MeshPart& part : parts) {
             const auto own = std::span(indices).subspan(part.firstIndex, part.indexCount);
             const Range range = rangeOf(own);
-            if (shared_.is_null() || options_.partsOwnVertices) shared_ = accessorsFor(range);
-            primitives.push_back({{"attributes", shared_}, {"indices", addIndices(own, range)}, {"extras", {{"name", part.name}}}});
-            if (!part.clusters.empty()) primitives.back()["extras"]["tegument"]["clusters"] = clustersOf(part);
-            if (!mesh_.textures.empty()) primitives.back()["material"] = 0;
-            if (part.material && *part.material < materials_) primitives.back()["material"] = *part.material;
+            if (shared_.is_null() || options_.partsOwnVertices) shared_ = {{"attributes", accessorsFor(range)}};
+            primitives.push_back(primitiveOf(part, own, range, shared_));
         }
-        json_["meshes"].push_back(
-            {{"name", mesh_.name}, {"primitives", std::move(primitives)}, {"extras", {{"tegument", extras(errorMm)}}}});
+        addMesh(mesh_.name, std::move(primitives), errorMm);
+    }
+
+    void addMesh(const std::string& name, Json primitives, double errorMm) {
+        json_["meshes"].push_back({{"name", name}, {"primitives", std::move(primitives)}, {"extras", {{"tegument", extras(errorMm)}}}});
+    }
+
+    Json primitiveOf(const MeshPart& part, std::span<const std::uint32_t> indices, const Range& range, const Json& vertices) {
+        Json primitive = vertices;
+        primitive["indices"] = addIndices(indices, range);
+        primitive["extras"]["name"] = part.name;
+        if (!part.clusters.empty()) primitive["extras"]["tegument"]["clusters"] = clustersOf(part);
+        if (!mesh_.textures.empty()) primitive["material"] = 0;
+        if (part.material && *part.material < materials_) primitive["material"] = *part.material;
+        return primitive;
+    }
+
+    /// A mesh for each node that draws, of the parts whose vertices are its.
+    void addMoving() {
+        meshfile::MotionWriter motion(
+            mesh_, json_, [this](const void* data, std::size_t size, std::optional<int> target) { return addView(data, size, target); },
+            place());
+        std::map<const MotionRun*, Range> ranges;
+        for (const std::uint32_t index : mesh_.indices) {
+            Range& range = ranges.try_emplace(&motion.runOf(index), Range{.firstVertex = index, .vertices = 0}).first->second;
+            const std::size_t end = std::max(range.firstVertex + range.vertices, std::size_t{index} + 1);
+            range.firstVertex = std::min(range.firstVertex, std::size_t{index});
+            range.vertices = end - range.firstVertex;
+        }
+        std::map<std::pair<const MotionRun*, std::size_t>, Json> known;
+        for (std::size_t level = 0; level <= options_.levels.size(); ++level) {
+            const auto& indices = level == 0 ? mesh_.indices : options_.levels[level - 1].indices;
+            std::map<std::size_t, std::pair<const MotionRun*, Json>> drawn; // by node
+            for (const MeshPart& part : level == 0 ? mesh_.parts : options_.levels[level - 1].parts) {
+                if (part.indexCount == 0) continue;
+                std::vector<std::uint32_t> own(&indices[part.firstIndex], &indices[part.firstIndex] + part.indexCount);
+                const MotionRun& run = motion.runOf(own.front());
+                const Range range = options_.partsOwnVertices ? rangeOf(own) : ranges.at(&run);
+                Json& vertices = known[{&run, range.firstVertex}];
+                if (vertices.is_null()) {
+                    vertices["attributes"] = accessorsFor(range);
+                    motion.addTo(vertices, run, {.first = range.firstVertex, .count = range.vertices});
+                }
+                for (std::size_t i = 0; i < own.size() && motion.mirrors(own.front()); i += 3)
+                    std::swap(own[i + 1], own[i + 2]);
+                auto& [first, primitives] = drawn[run.node];
+                first = &run;
+                primitives.push_back(primitiveOf(part, own, range, vertices));
+            }
+            for (auto& [node, mesh] : drawn) {
+                addMesh(mesh.first->meshName, std::move(mesh.second), level == 0 ? 0 : options_.levels[level - 1].errorMm);
+                motion.draw(*mesh.first, json_["meshes"].size() - 1, level);
+            }
+        }
+        motion.finish();
+        collectExtensions(json_["nodes"]);
+        used_.erase("MSFT_lod"); // is told below
+        if (json_.contains("extensions")) used_.insert("KHR_lights_punctual");
     }
 
     /// Ball and cone are for who reads the file elsewhere: read_gltf.cpp makes them anew.
@@ -409,7 +467,8 @@ static_assert(std::endian::native == std::endian::little, "writeGlb copies float
 
 Result<void> writeGlb(const std::filesystem::path& path, const Mesh& mesh, const GlbOptions& options) {
     assert(mesh.indices.empty() || !mesh.parts.empty());
-    Result<std::string> glb = GlbWriter(mesh, options).write();
+    const std::optional<Mesh> moving = mesh.motion ? std::optional(meshfile::inFile(mesh)) : std::nullopt;
+    Result<std::string> glb = GlbWriter(moving ? *moving : mesh, options).write();
     if (!glb) {
         Error error = glb.error();
         for (Diagnostic& diagnostic : error.diagnostics)

@@ -97,7 +97,7 @@ namespace {
 Result<LoadOptions> loadOptions(JobOptions& options, const std::string& workspace) {
     LoadOptions load = loadOptions(options.effect);
     if (!workspace.empty()) load.roots.folders.push_back(std::filesystem::path(workspace).parent_path());
-    if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
+    if (!options.scene.pose.empty() || options.scene.motion.any()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
     if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
     const auto switched = takeSwitches(options.sets);
     if (!switched) return switched.error();
@@ -221,6 +221,7 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
             if (const auto exists = fileExists(pose, "--pose"); !exists) return exists.error();
     sceneOptions.pose = options.scene.pose;
     sceneOptions.poseBefore = options.scene.poseBefore;
+    sceneOptions.bends = sceneOptions.motion.any() && effect->findParameter("gFurPoseMap");
     sceneOptions.pictures = std::ranges::any_of(sets, [](const std::string& set) { return isPainted(set); });
     sceneOptions.roots = load->roots;
     sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load->includeFolders.begin(), load->includeFolders.end());

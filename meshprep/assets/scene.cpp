@@ -186,6 +186,35 @@ Result<void> readPoses(const SceneOptions& options, const Mesh& rest, Scene& sce
     return {};
 }
 
+/// The moment that is asked for. Bounds, and what is framed, hold the whole animation, so that the camera stands still. `swept`: where
+/// vertices are in its course.
+Result<void> move(const SceneOptions& options, Mesh& mesh, Scene& scene, Mesh& swept) {
+    if (!options.motion.any()) return {};
+    constexpr int kMoments = 16;
+    constexpr std::size_t kMostPoints = 1'000'000;
+    Mesh posed = mesh;
+    if (const auto moved = poseMesh(posed, options.motion); !moved) return moved.error();
+    const auto animation = chosenAnimation(mesh, options.motion);
+    scene.motionSeconds = *animation ? (*animation)->seconds : 0;
+    swept.positions = posed.positions;
+    const std::size_t step = 1 + kMoments * mesh.positions.size() / kMostPoints;
+    for (int i = 0; *animation && i <= kMoments; ++i) {
+        Mesh then = mesh;
+        PoseChoice moment = options.motion;
+        moment.time = (*animation)->seconds * i / kMoments;
+        if (const auto moved = poseMesh(then, moment); !moved) return moved.error();
+        for (std::size_t k = 0; k < then.positions.size(); k += step)
+            swept.positions.push_back(then.positions[k]);
+    }
+    computeBounds(swept);
+    posed.bounds = swept.bounds;
+    if (options.bends)
+        scene.pose = std::move(posed);
+    else
+        mesh = std::move(posed);
+    return {};
+}
+
 /// Foreign effects expect about that, round the origin; many know no WORLD.
 void toUnitSize(Mesh& mesh) {
     if (!(mesh.bounds.radius > 0)) return;
@@ -264,22 +293,24 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     Scene scene{.workspace = std::move(*workspace), .isOwn = !options.mesh.empty()};
     if (!needsMesh) return scene;
     if (!scene.workspace.objects.empty()) {
-        if (!options.mesh.empty() || options.unitMm || !options.pose.empty())
+        if (!options.mesh.empty() || options.unitMm || !options.pose.empty() || options.motion.any())
             return usageError(8017,
                               fmt::format("{} has {} objects: which of them is meant?", options.workspace, scene.workspace.objects.size()),
-                              "leave --mesh and --unit-mm out, or give a workspace of one mesh");
+                              "leave --mesh, --unit-mm and --time out, or give a workspace of one mesh");
         if (const auto loaded = loadObjects(scene, options.roots); !loaded) return loaded.error();
         turn(options.turn, scene);
         return scene;
     }
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
+    Mesh swept;
+    if (const auto moved = move(options, *mesh, scene, swept); !moved) return moved.error();
     if (options.unitSize && options.workspace.empty()) toUnitSize(*mesh);
     if (const auto read = readPoses(options, *mesh, scene); !read) return read.error();
     if (options.portrait) {
         if (const auto laid = portray(options, scene, *mesh); !laid) return laid.error();
     } else if (isFramed(options)) {
-        frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
+        frame(options, !swept.positions.empty() ? swept : scene.pose ? *scene.pose : *mesh, scene.workspace);
     }
     if (options.unitSize && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
         scene.workspace.camera.nearPlane = 0.1F;

@@ -1,6 +1,7 @@
 #pragma once
 // The scene of a run, read from disk: workspace and meshes.
 
+#include "host/mesh/motion.h"
 #include "host/run/run.h"
 #include "host/scene/framing.h"
 #include "meshprep/portrait/portrait.h"
@@ -19,6 +20,8 @@ struct SceneOptions {
     std::string mesh;       // in place of the workspace's
     std::string pose;       // the same mesh, bent; empty: at rest
     std::string poseBefore; // and in the frame before
+    PoseChoice motion{};    // the moment of its own animation
+    bool bends = false;     // the effect takes the mesh at rest and its pose apart, as those with strands do
     std::optional<double> unitMm;
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
@@ -38,6 +41,7 @@ struct Scene {
     std::vector<RunObject> objects;
     std::optional<Mesh> pose{}; // of the only mesh: its skin, bent
     std::optional<Mesh> poseBefore{};
+    double motionSeconds = 0;           // of the animation that is chosen
     bool isOwn = false;                 // the mesh is the user's, not the workspace's
     std::vector<std::string> guesses{}; // of a portrait: a line each, with the option that says otherwise
 };

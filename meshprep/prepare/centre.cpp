@@ -32,6 +32,7 @@ Centring centre(Surface& surface, CentreMode mode) {
     result.moved = glm::dvec3(0) - (mesh.origin + from); // not -0
     if (result.place != glm::dvec3(0)) result.place = mesh.origin + from;
     mesh.origin = glm::dvec3(0); // the place is told from now on
+    mesh.motionRoot[3] += glm::dvec4(result.moved, 0);
     if (from == glm::dvec3(0)) return result;
     for (glm::vec3& position : mesh.positions) {
         const glm::vec3 moved(glm::dvec3(position) - from);

@@ -2,6 +2,7 @@
 
 #include "host/mesh/extent.h"
 #include "host/mesh/facing.h"
+#include "host/mesh/motion.h"
 #include "host/mesh/normals.h"
 #include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
@@ -113,6 +114,7 @@ private:
         for (glm::vec3& position : mesh.positions)
             position = turned(position);
         mesh.origin = {mesh.origin.x, mesh.origin.z, -mesh.origin.y};
+        mesh.motionRoot = glm::dmat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1) * mesh.motionRoot;
         for (glm::vec3& normal : mesh.normals)
             normal = turned(normal);
         for (glm::vec4& tangent : mesh.tangents)
@@ -255,7 +257,24 @@ private:
         if (options_.levels <= 1) return;
         const auto start = Clock::now();
         levels = makeLevels(surface_.mesh, options_.levels, options_.levelMethod);
+        if (surface_.mesh.motion) keepApart(levels);
         seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    /// A triangle with vertices of several nodes cannot be written: such a level goes, with those that follow.
+    void keepApart(Levels& levels) const {
+        const Mesh& mesh = surface_.mesh;
+        const auto runOf = [&](std::uint32_t vertex) { return &mesh.motion->runOf(mesh.motionVertices[vertex]); };
+        const auto mixes = [&](const Level& level) {
+            return std::ranges::any_of(level.mesh.parts, [&](const MeshPart& part) {
+                const auto own = std::span(level.mesh.indices).subspan(part.firstIndex, part.indexCount);
+                return std::ranges::any_of(own, [&](std::uint32_t vertex) { return runOf(vertex) != runOf(own.front()); });
+            });
+        };
+        const auto first = std::ranges::find_if(levels.levels, mixes);
+        if (first == levels.levels.end()) return;
+        levels.levels.erase(first, levels.levels.end());
+        levels.whyEarly = "it would join what moves apart";
     }
 
     std::optional<Error> orderBeside(const std::function<void()>& other) {
@@ -382,7 +401,10 @@ private:
     std::optional<Error> pack() {
         Mesh& mesh = surface_.mesh;
         const std::size_t bytes = vertexBytes(mesh, options_.precision);
-        if (options_.precision != VertexPrecision::Float) {
+        const bool moves = mesh.motion != nullptr;
+        if (moves && options_.precision != VertexPrecision::Float)
+            warn(5331, "a mesh that moves keeps its floats: --vertex is for those that stand still");
+        if (options_.precision != VertexPrecision::Float && !moves) {
             begin("precision");
             const auto error = reducePrecision(mesh, options_.precision);
             if (!error) return error.error();

@@ -1,5 +1,6 @@
 #include "meshprep/prepare/vertices.h"
 
+#include "host/mesh/motion.h"
 #include "host/mesh/triangles.h"
 #include "host/mesh/welding.h"
 
@@ -15,10 +16,12 @@ std::array<std::uint32_t, 2> wordsOf(double value) {
     return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
 }
 
-/// A number for each vertex: equal where place, colours and all attributes are.
+/// A number for each vertex: equal where place, movement, colours and all attributes are.
 std::vector<std::uint32_t> kindsOf(const Surface& surface) {
     const Mesh& mesh = surface.mesh;
     std::vector<std::uint32_t> kind = surface.point;
+    if (mesh.motion)
+        kind = firstEqual(kind.size(), [&](std::uint32_t i) { return std::array{kind[i], mesh.motion->kinds[mesh.motionVertices[i]]}; });
     if (!mesh.colors.empty())
         kind = firstEqual(kind.size(), [&](std::uint32_t i) {
             const glm::vec4& c = mesh.colors[i];

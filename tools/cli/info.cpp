@@ -2,6 +2,8 @@
 
 #include "host/effect/model.h"
 #include "host/effect/script_run.h"
+#include "host/mesh/motion.h"
+#include "host/mesh/read_mesh.h"
 #include "host/run/semantics.h"
 #include "meshprep/assets/given_values.h"
 #include "meshprep/assets/names.h"
@@ -281,7 +283,70 @@ struct InfoOptions {
     bool json = false;
 };
 
+/// What can be said of a mesh to --animation, --time and --morph.
+struct MeshMotion {
+    std::vector<std::vector<std::string>> animations, morphs, skins;
+
+    explicit MeshMotion(const Mesh& mesh) {
+        if (!mesh.motion) return;
+        const Motion& motion = *mesh.motion;
+        for (const MotionAnimation& animation : motion.animations)
+            animations.push_back({animation.name, fmt::format("{:.3f}", animation.seconds), std::to_string(animation.channels.size())});
+        for (const MotionRun& run : motion.runs)
+            for (const MorphTarget& target : run.targets)
+                if (std::ranges::find(morphs, target.name, [](const auto& row) { return row[0]; }) == morphs.end())
+                    morphs.push_back({target.name, motion.nodes[run.node].name});
+        for (std::size_t i = 0; i < motion.skins.size(); ++i) {
+            std::vector<std::string> joints;
+            for (const std::size_t joint : motion.skins[i].joints)
+                joints.push_back(motion.nodes[joint].name.empty() ? std::to_string(joint) : motion.nodes[joint].name);
+            const std::string& name = motion.skins[i].name;
+            skins.push_back(
+                {name.empty() ? std::to_string(i) : name, std::to_string(joints.size()), fmt::format("{}", fmt::join(joints, ", "))});
+        }
+    }
+};
+
+int meshInfo(const InfoOptions& options) {
+    const auto mesh = loadMesh(options.file, {.guessUnit = true});
+    if (!mesh) return fail(mesh.error(), options.json);
+    warn(mesh->warnings);
+    const MeshMotion motion(*mesh);
+    const glm::vec3 size = mesh->bounds.maximum - mesh->bounds.minimum;
+    if (!options.json) {
+        fmt::print("{}\n{} vertices, {} triangles, {} parts; {:.4g} x {:.4g} x {:.4g} mm\n\n", options.file, mesh->positions.size(),
+                   mesh->indices.size() / 3, mesh->parts.size(), size.x, size.y, size.z);
+        printRows("animations (--animation NAME --time T): seconds, channels", motion.animations);
+        printRows("morph targets (--morph NAME=WEIGHT): of which node", motion.morphs);
+        printRows("skins: joints", motion.skins);
+        if (!mesh->motion) fmt::print("it does not move: no animation, skin or morph target\n");
+        return 0;
+    }
+    const auto rows = [](const std::vector<std::vector<std::string>>& from, const std::vector<const char*>& keys) {
+        Json list = Json::array();
+        for (const auto& row : from) {
+            list.push_back(Json::object());
+            for (std::size_t i = 0; i < keys.size(); ++i)
+                list.back()[keys[i]] = row[i];
+        }
+        return list;
+    };
+    Json json{{"mesh", options.file},
+              {"vertices", mesh->positions.size()},
+              {"triangles", mesh->indices.size() / 3},
+              {"animations", Json::array()},
+              {"morphs", rows(motion.morphs, {"name", "node"})},
+              {"skins", Json::array()}};
+    for (const MotionAnimation& animation : mesh->motion ? mesh->motion->animations : std::vector<MotionAnimation>())
+        json["animations"].push_back({{"name", animation.name}, {"seconds", animation.seconds}, {"channels", animation.channels.size()}});
+    for (const auto& row : motion.skins)
+        json["skins"].push_back({{"name", row[0]}, {"joints", std::stoi(row[1])}});
+    print(json);
+    return 0;
+}
+
 int info(const InfoOptions& options) {
+    if (meshFormatOf(options.file)) return meshInfo(options);
     const auto file = assets::findEffect(options.file);
     if (!file) return fail(file.error(), options.json);
     const Result<Effect> effect = loadEffect(*file, assets::loadOptions(options.effect));
@@ -305,13 +370,16 @@ int info(const InfoOptions& options) {
 
 void addInfo(CLI::App& program, Action& action) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = program.add_subcommand("info", "List an effect's parameters, targets, techniques and passes");
-    command->add_option("effect", options->file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
+    CLI::App* command = program.add_subcommand(
+        "info", "List an effect's parameters, targets, techniques and passes; or a mesh's animations, morph targets and skins");
+    command->add_option("effect", options->file, "Effect: a file (.fx), or the name of one of ours, such as Main; or a mesh file")
+        ->required();
     addEffectOptions(*command, options->effect);
     command->add_flag("--all", options->all, "Also internal parameters, targets and the shaders of each pass");
     command->add_flag("--json", options->json, "Print JSON, with everything");
     addExamples(
-        *command, {{"info Main", "what can be turned"}, {"info Main --all", "and everything else"}},
+        *command,
+        {{"info Main", "what can be turned"}, {"info Main --all", "and everything else"}, {"info body.glb", "how a mesh can move"}},
         "Of an effect of another host also: what each parameter gets, and by which rule (--bind of render and view says otherwise).");
     command->callback([options, &action] { action = [options] { return info(*options); }; });
 }

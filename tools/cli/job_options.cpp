@@ -5,6 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+
 namespace tegument::app {
 
 void addEffectOptions(CLI::App& command, EffectOptions& options) {
@@ -20,6 +25,39 @@ void addEffectOptions(CLI::App& command, EffectOptions& options) {
         ->check(CLI::Range(1, 16384));
 }
 
+namespace {
+
+/// NAME=WEIGHT.
+std::pair<std::string, double> morphOf(const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    double weight = 0;
+    const char* end = text.data() + text.size();
+    const char* number = equals == std::string::npos ? end : text.data() + equals + 1;
+    const auto parsed = std::from_chars(number, end, weight);
+    if (number == end || parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(weight))
+        throw CLI::ValidationError("--morph " + text, "is not NAME=WEIGHT, such as smile=0.7");
+    return {text.substr(0, equals), weight};
+}
+
+void addMotionOptions(CLI::App& command, PoseChoice& choice, CLI::Option* pose) {
+    command.add_option("--animation", choice.animation, "Animation of the mesh file, by name or number; tegument info MESH lists them")
+        ->excludes(pose);
+    command
+        .add_option_function<double>(
+            "--time", [&choice](double seconds) { choice.time = seconds; },
+            "Seconds of its animation, default: of the first; before its first and after its last key it stands still")
+        ->check(CLI::Number)
+        ->excludes(pose);
+    repeatable(
+        command.add_option_function<std::vector<std::string>>(
+            "--morph",
+            [&choice](const std::vector<std::string>& given) { std::ranges::transform(given, std::back_inserter(choice.morphs), morphOf); },
+            "NAME=WEIGHT of a morph target of the mesh file, by name or number; may be repeated"))
+        ->excludes(pose);
+}
+
+} // namespace
+
 void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
@@ -27,6 +65,7 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     CLI::Option* pose = command.add_option(
         "--pose", options.scene.pose, "The same mesh, bent: a file with its vertices moved; strands of FurCoat follow their triangles");
     command.add_option("--pose-before", options.scene.poseBefore, "The same in the frame before, for gMotionMap")->needs(pose);
+    addMotionOptions(command, options.scene.motion, pose);
     command.add_option(
         "-w,--workspace", options.scene.workspace,
         "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "

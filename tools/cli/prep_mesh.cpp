@@ -2,6 +2,7 @@
 
 #include "tools/cli/prep_mesh.h"
 
+#include "host/mesh/motion.h"
 #include "host/mesh/read_mesh.h"
 #include "host/support/file.h"
 #include "host/support/left_out.h"
@@ -15,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -379,6 +381,12 @@ void warnOfLost(const prep::Prepared& prepared, const std::string& output) {
     add(mesh.parts.size() > 1 ? mesh.parts.size() : 0, "parts");
     add(materials.size(), "materials");
     add(mesh.materials.images.size(), "pictures");
+    std::size_t targets = 0;
+    for (const MotionRun& run : mesh.motion ? mesh.motion->runs : std::vector<MotionRun>())
+        targets = std::max(targets, run.targets.size());
+    add(mesh.motion ? mesh.motion->animations.size() : 0, "animations");
+    add(mesh.motion ? mesh.motion->skins.size() : 0, "skins");
+    add(targets, "morph targets");
     if (lost.empty()) return;
     warn({inputWarning(5331, {}, fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost), "write a glb to keep them")});
 }

@@ -34,14 +34,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Turntable {
+struct Sequence {
     std::vector<std::filesystem::path> files;
     SessionFrame first; // of the pictures; its times are those of one
 };
 [[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& output, int number);
 
 constexpr double kTurn = 6.28318530717958647692;
-constexpr int kTurnTakes = 4000; // milliseconds of an animation
+constexpr int kTurnTakes = 4000; // milliseconds of a turn
 constexpr int kShortest = 20;    // milliseconds: browsers slow down what is shorter
 
 /// Takes the pictures one after another, so that not all of them are held at once.
@@ -49,10 +49,11 @@ class Sink {
 public:
     Sink(const PictureOptions& options, fs::path output) : options_(options), output_(std::move(output)) {}
 
-    Result<void> begin(const RunOptions& run, int pictures) {
+    /// `takes`: milliseconds that all pictures are to be seen.
+    Result<void> begin(const RunOptions& run, int pictures, double takes) {
         if (!isAnimation(output_)) return {};
-        auto animation =
-            makeAnimation(output_, {.width = run.width, .height = run.height, .milliseconds = std::max(kShortest, kTurnTakes / pictures)});
+        const int each = std::max(kShortest, static_cast<int>(std::lround(std::min(takes, 1e6) / pictures)));
+        auto animation = makeAnimation(output_, {.width = run.width, .height = run.height, .milliseconds = each});
         if (!animation) return animation.error();
         animation_ = std::move(*animation);
         return {};
@@ -75,23 +76,25 @@ private:
     std::vector<fs::path> files_;
 };
 
-/// The file of a picture, counted from 1.
+/// The file of a picture, counted from 1; the first may be named.
 fs::path numbered(const fs::path& output, int number) {
+    std::string stem = output.stem().string();
+    if (stem.ends_with("-001")) stem.resize(stem.size() - 4);
     fs::path path = output;
-    return path.replace_filename(fmt::format("{}-{:03}{}", output.stem().string(), number, output.extension().string()));
+    return path.replace_filename(fmt::format("{}-{:03}{}", stem, number, output.extension().string()));
 }
 
 /// `pictures` of them, the first as it stands: one animation, or a file for each, numbered from 001. Camera and light stay where they are
 /// for the viewer. `say` hears how many are done.
-Result<Turntable> renderTurntable(gpu::Device& device, const Job& job, const PictureOptions& options, const fs::path& output, int pictures,
-                                  const std::function<void(int done)>& say) {
+Result<Sequence> renderTurntable(gpu::Device& device, const Job& job, const PictureOptions& options, const fs::path& output, int pictures,
+                                 const std::function<void(int done)>& say) {
     const SessionScene scene = assets::sessionScene(job.scene);
     const Workspace world = run::inWorld(job.scene.workspace, scene);
     const glm::dvec3 pivot = glm::dvec3(run::boundsOf(scene).centre);
     EffectSession session(device, job.effect, scene);
     Sink sink(options, output);
-    if (const auto begun = sink.begin(job.run, pictures); !begun) return begun.error();
-    Turntable turntable;
+    if (const auto begun = sink.begin(job.run, pictures, kTurnTakes); !begun) return begun.error();
+    Sequence turntable;
     for (int i = 0; i < pictures; ++i) {
         auto frame = session.draw(turnedScene(world, pivot, kTurn * i / pictures), job.run);
         if (!frame) return frame.error();
@@ -109,6 +112,44 @@ Result<Turntable> renderTurntable(gpu::Device& device, const Job& job, const Pic
     return turntable;
 }
 
+/// `count` pictures of an animation, evenly over its length, so that they can be repeated. Each is a scene of its own: what is made of a
+/// mesh is made of each of its shapes. The camera is that of the first.
+Result<Sequence> renderAnimation(gpu::Device& device, const assets::JobOptions& options, const Job& first, const PictureOptions& pictures,
+                                 const fs::path& output, int count, const std::function<void(int done)>& say) {
+    const double seconds = first.scene.motionSeconds;
+    Sink sink(pictures, output);
+    if (const auto begun = sink.begin(first.run, count, 1000 * seconds); !begun) return begun.error();
+    Sequence sequence;
+    std::unique_ptr<Job> before, job;
+    std::optional<EffectSession> last, session;
+    for (int i = 0; i < count; ++i) {
+        JobOptions moment = options;
+        moment.scene.motion.time = seconds * i / count;
+        auto loaded = assets::loadJob(moment);
+        if (!loaded) return loaded.error();
+        before = std::move(job); // what the last session points at lives until its pipelines are learnt
+        job = std::make_unique<Job>(std::move(*loaded));
+        last = std::move(session);
+        session.emplace(device, first.effect, assets::sessionScene(job->scene));
+        if (last) session->learn(*last);
+        Workspace world = first.scene.workspace;
+        world.textures = job->scene.workspace.textures;
+        auto frame = session->draw(run::inWorld(world, assets::sessionScene(job->scene)), job->run);
+        if (!frame) return frame.error();
+        auto image = run::readBack(device, *session->target({}));
+        if (!image) return image.error();
+        image->metadata = frame->metadata;
+        image->metadata["seconds"] = fmt::format("{:.3f}", *moment.scene.motion.time);
+        if (const auto taken = sink.take(*image); !taken) return taken.error();
+        if (i == 0) sequence.first = std::move(*frame);
+        say(i + 1);
+    }
+    auto files = sink.end();
+    if (!files) return files.error();
+    sequence.files = std::move(*files);
+    return sequence;
+}
+
 struct RenderOptions {
     JobOptions job;
     std::vector<std::string> dump;
@@ -116,6 +157,12 @@ struct RenderOptions {
     int frames = 1;
     int turntable = 0; // pictures of a turn; 0: one picture
     bool json = false;
+
+    /// Pictures that follow each other; 0: one, however often it is drawn to be timed.
+    [[nodiscard]] int sequence() const {
+        const bool plays = !job.scene.motion.animation.empty() && !job.scene.motion.time && frames > 1;
+        return turntable > 0 ? turntable : plays ? frames : 0;
+    }
 };
 
 std::string metadata(const RunResult& result, const char* entry) {
@@ -263,11 +310,11 @@ int endOf(const gpu::Device& device) {
     return messages.empty() ? 0 : static_cast<int>(Blame::Machine);
 }
 
-int renderTurning(const RenderOptions& options, const Job& job, gpu::Device& device, const fs::path& output, Progress& progress) {
-    const auto say = [&](int done) {
-        progress.count("rendering", static_cast<std::size_t>(done), static_cast<std::size_t>(options.turntable));
-    };
-    const auto turned = renderTurntable(device, job, options.pictures, output, options.turntable, say);
+int renderSequence(const RenderOptions& options, const Job& job, gpu::Device& device, const fs::path& output, int pictures,
+                   Progress& progress) {
+    const auto say = [&](int done) { progress.count("rendering", static_cast<std::size_t>(done), static_cast<std::size_t>(pictures)); };
+    const auto turned = options.turntable > 0 ? renderTurntable(device, job, options.pictures, output, pictures, say)
+                                              : renderAnimation(device, options.job, job, options.pictures, output, pictures, say);
     progress.clear();
     if (!turned) return fail(turned.error(), options.json);
     warn(turned->first.warnings);
@@ -279,10 +326,10 @@ int renderTurning(const RenderOptions& options, const Job& job, gpu::Device& dev
                {"technique", turned->first.technique},
                {"device", device.info().name},
                {"resolution", {job.run.width, job.run.height}},
-               {"turntable", options.turntable},
+               {options.turntable > 0 ? "turntable" : "frames", pictures},
                {"files", files}});
     } else {
-        fmt::print("{} {}, {} pictures of {}x{}, {}\n", job.effect.file.filename().string(), turned->first.technique, options.turntable,
+        fmt::print("{} {}, {} pictures of {}x{}, {}\n", job.effect.file.filename().string(), turned->first.technique, pictures,
                    job.run.width, job.run.height, device.info().name);
         for (const fs::path& file : turned->files)
             fmt::print("wrote {}\n", file.string());
@@ -292,9 +339,11 @@ int renderTurning(const RenderOptions& options, const Job& job, gpu::Device& dev
 
 int render(const RenderOptions& given) {
     RenderOptions options = given;
-    const auto output = outputPath(options.pictures, options.job.file, options.turntable > 0);
+    const int pictures = options.sequence();
+    const auto output = outputPath(options.pictures, options.job.file, pictures > 0);
     if (!output) return fail(output.error(), options.json);
-    for (int i = 1; i <= options.turntable && !isAnimation(*output); ++i)
+    if (pictures > 0 && options.turntable == 0) options.frames = 1;
+    for (int i = 1; i <= pictures && !isAnimation(*output); ++i)
         if (const auto can = checkOutput(numbered(*output, i).string(), {}); !can) return fail(can.error(), options.json);
     Progress progress;
     progress.say("reading");
@@ -321,7 +370,7 @@ int render(const RenderOptions& given) {
         done < total ? progress.count("compiling shader", done, total) : progress.say("rendering");
     };
     progress.say("rendering");
-    if (options.turntable > 0) return renderTurning(options, *job, *device, *output, progress);
+    if (pictures > 0) return renderSequence(options, *job, *device, *output, pictures, progress);
     auto result = assets::runScene(*device, job->effect, job->scene, job->run);
     progress.clear();
     if (!result) return fail(result.error(), options.json);
@@ -350,7 +399,10 @@ void addRender(CLI::App& program, Action& action) {
     CLI::Option* dump =
         repeatable(command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated"));
     addPictureOptions(*command, options->pictures);
-    CLI::Option* frames = command->add_option("--frames", options->frames, "Frames to time; the table shows medians")
+    CLI::Option* frames = command
+                              ->add_option("--frames", options->frames,
+                                           "With --animation and without --time: so many pictures of it, evenly over its length, as "
+                                           "--turntable writes them; else frames to time, of which the table shows medians")
                               ->check(CLI::Range(1, 10000))
                               ->capture_default_str();
     command
@@ -365,6 +417,7 @@ void addRender(CLI::App& program, Action& action) {
                            {"render Main --mesh head.glb --set gRoughness=0.25", "a head of your own"},
                            {"render Fur --mesh scan.ply -o scan.jpg", "any mesh in fur"},
                            {"render Fur --mesh scan.ply --turntable 48 -o scan.webp", "from all sides, as an animation"},
+                           {"render Main --mesh body.glb --animation walk --frames 24 -o walk.webp", "as its animation moves it"},
                            {"render Main --dump all", "with every intermediate target as EXR"}});
     command->callback([options, &action] { action = [options] { return render(*options); }; });
 }

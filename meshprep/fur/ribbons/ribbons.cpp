@@ -275,6 +275,8 @@ void removeRibbons(Mesh& mesh) {
 }
 
 Result<RibbonFigures> addRibbons(Mesh& mesh, const Image& roots, const RibbonOptions& options) {
+    mesh.motion.reset(); // it knows no strands; a pose takes their roots along
+    mesh.motionVertices.clear();
     const auto start = std::chrono::steady_clock::now();
     if (const auto checked = check(mesh, options); !checked) return checked.error();
     removeRibbons(mesh);

@@ -1,5 +1,7 @@
 // What a file holds is in what is written, or a warning names it.
 #include "host/image/image.h"
+#include "host/mesh/motion.h"
+#include "host/mesh/read_mesh.h"
 #include "meshprep/fur/roots/vertex_values.h"
 #include "tests/meshprep/prepare/glb_text.h"
 #include "tests/meshprep/prepare/meshes.h"
@@ -356,11 +358,62 @@ TEST_F(NothingLost, each_kind_of_thing_that_goes_is_one_warning) {
     gltf.json["scenes"][0]["nodes"].push_back(1);
     gltf.json["animations"] = Json::array({{{"channels", Json::array()}, {"samplers", Json::array()}}});
     gltf.json["cameras"] = Json::array({{{"type", "perspective"}}});
+    const auto place = gltf.addAccessor<float>({0, 0, 0}, 5126, "VEC3", 3);
+    gltf.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = place; // instances do not move
     const prep::Prepared result = prepared(write("rig.glb", gltf.glb()));
     EXPECT_EQ(result.mesh.indices.size() / 3, 8u) << "drawn twice";
     for (const char* what : {"2 morph targets", "joints and weights", "1 animations", "1 cameras", "1 copies"})
         EXPECT_EQ(warningsOf(result.report.warnings, 5331, what), 1u) << what;
     EXPECT_EQ(result.report.warnings.size(), 5u);
+}
+
+TEST_F(NothingLost, what_moves_a_mesh_is_written_again_and_what_cannot_be_is_named) {
+    GltfText gltf = tetrahedron();
+    Json& primitive = gltf.json["meshes"][0]["primitives"][0];
+    primitive["targets"] = {{{"POSITION", 0}}, {{"POSITION", 0}}};
+    gltf.json["meshes"][0]["extras"]["targetNames"] = {"smile", "frown"};
+    primitive["attributes"]["JOINTS_0"] =
+        gltf.addAccessor<std::uint16_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0}, 5123, "VEC4", 4);
+    const std::vector<float> weights = {1, 0, 0, 0, 1, 0, 0, 0, 0.25, 0.75, 0, 0, 1, 0, 0, 0};
+    primitive["attributes"]["WEIGHTS_0"] = gltf.addAccessor<float>(weights, 5126, "VEC4", 4);
+    gltf.json["skins"] = Json::array({{{"joints", {1, 2}}, {"name", "body"}}});
+    gltf.json["nodes"][0]["skin"] = 0;
+    gltf.json["nodes"].push_back({{"name", "hip"}, {"children", Json::array({2})}, {"translation", {0, 1, 0}}});
+    gltf.json["nodes"].push_back({{"name", "head"}, {"camera", 0}, {"extensions", {{"ACME_hat", Json::object()}}}});
+    gltf.json["scenes"][0]["nodes"].push_back(1);
+    gltf.json["cameras"] = Json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}});
+    const auto times = gltf.addAccessor<float>({0, 0.1f}, 5126, "SCALAR", 1);
+    const auto turns = gltf.addAccessor<float>({0, 0, 0, 1, 0.6f, 0, 0, 0.8f}, 5126, "VEC4", 4);
+    const auto channel = [](const Json& target) { return Json{{"sampler", 0}, {"target", target}}; };
+    gltf.json["animations"] =
+        Json::array({{{"name", "nod"},
+                      {"channels", {channel({{"node", 2}, {"path", "rotation"}}), channel(Json::object({{"path", "pointer"}}))}},
+                      {"samplers", Json::array({{{"input", times}, {"output", turns}}})}},
+                     {{"name", "broken"},
+                      {"channels", Json::array({channel({{"node", 2}, {"path", "rotation"}})})},
+                      {"samplers", Json::array({{{"input", turns}, {"output", turns}}})}}});
+    const prep::Prepared result = prepared(write("rig.glb", gltf.glb()));
+    for (const char* what : {"ACME_hat of node 'head'", "1 channels of animation 'nod'", "animation 'broken' is left out"})
+        EXPECT_EQ(warningsOf(result.report.warnings, 5331, what), 1u) << what;
+    EXPECT_EQ(result.report.warnings.size(), 3u);
+    const auto out = asGlb(result);
+    const Json json = jsonOf(out);
+    ASSERT_EQ(json["skins"].size(), 1u);
+    EXPECT_EQ(json["skins"][0]["joints"], Json({1, 2}));
+    EXPECT_EQ(json["nodes"][1]["translation"], Json({0, 1, 0}));
+    EXPECT_EQ(json["nodes"][2]["camera"], 0);
+    EXPECT_EQ(json["meshes"][0]["extras"]["targetNames"], Json({"smile", "frown"}));
+    ASSERT_EQ(json["animations"].size(), 1u);
+    EXPECT_EQ(json["animations"][0]["channels"].size(), 1u);
+    const auto again = readMesh(out, {});
+    ASSERT_TRUE(again) << format(again.error());
+    const MotionRun& run = again->mesh.motion->runs.front();
+    std::set<std::vector<float>> rows;
+    for (std::size_t i = 0; i < run.count; ++i)
+        rows.insert(
+            {run.weights.begin() + static_cast<std::ptrdiff_t>(4 * i), run.weights.begin() + static_cast<std::ptrdiff_t>(4 * i + 4)});
+    EXPECT_EQ(rows, (std::set<std::vector<float>>{{1, 0, 0, 0}, {0.25f, 0.75f, 0, 0}}));
+    EXPECT_EQ(again->mesh.motion->animations[0].channels[0].values, (std::vector<float>{0, 0, 0, 1, 0.6f, 0, 0, 0.8f}));
 }
 
 TEST_F(NothingLost, instances_are_drawn_where_they_stand) {

@@ -4,7 +4,9 @@
 #include "tests/cli/program.h"
 
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include <cstdlib>
 #include <filesystem>
@@ -79,11 +81,12 @@ TEST(ForeignPictures, are_classed_by_what_they_show) {
     fs::create_directories(folder);
     flat("classes/nothing.fx", "0");
     flat("classes/one.fx", "float4(1, 0, 0, 1)");
-    write("classes/same.fx", "texture B : COLOR; sampler S { Texture = B; };\n"
-                             "void VS(uint i : SV_VertexID, out float4 p : SV_Position, out float2 u : TEXCOORD)\n"
-                             "{ u = float2(i == 2 ? 2 : 0, i == 1 ? 2 : 0); p = float4(u * float2(2, -2) + float2(-1, 1), 0, 1); }\n"
-                             "float4 PS(float4 p : SV_Position, float2 u : TEXCOORD) : SV_Target { return tex2D(S, u); }\n"
-                             "technique T { pass { VertexShader = VS; PixelShader = PS; } }\n");
+    std::ignore =
+        write("classes/same.fx", "texture B : COLOR; sampler S { Texture = B; };\n"
+                                 "void VS(uint i : SV_VertexID, out float4 p : SV_Position, out float2 u : TEXCOORD)\n"
+                                 "{ u = float2(i == 2 ? 2 : 0, i == 1 ? 2 : 0); p = float4(u * float2(2, -2) + float2(-1, 1), 0, 1); }\n"
+                                 "float4 PS(float4 p : SV_Position, float2 u : TEXCOORD) : SV_Target { return tex2D(S, u); }\n"
+                                 "technique T { pass { VertexShader = VS; PixelShader = PS; } }\n");
     const fs::path sheet = scratch() / "classes.png";
     const Ran ran =
         tegument({"survey", folder.string(), "--size", "32", "-o", (scratch() / "classed").string(), "--sheet", sheet.string(), "--json"});

@@ -139,8 +139,8 @@ MotionRow withErrors(const std::vector<double>& errors) {
     return motionRow(drawn, truth);
 }
 
-const Motion& named(const std::string& name) {
-    return *std::ranges::find(motions(), name, &Motion::name);
+const bench::Motion& named(const std::string& name) {
+    return *std::ranges::find(motions(), name, &bench::Motion::name);
 }
 
 class Motions : public Benches {

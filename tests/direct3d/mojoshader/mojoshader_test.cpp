@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 
 #ifdef TEGUMENT_MOJOSHADER
 #include <mojoshader.h>
@@ -29,7 +30,7 @@ std::string gRefused; // why MojoShader does not translate a shader
 
 void* compileShader(const char* entry, const unsigned char* tokens, unsigned int size, const MOJOSHADER_swizzle* swizzles,
                     unsigned int swizzleCount, const MOJOSHADER_samplerMap* samplers, unsigned int samplerCount) {
-    const MOJOSHADER_parseData* parsed = MOJOSHADER_parse(MOJOSHADER_PROFILE_GLSL120, entry, tokens, size, swizzles, swizzleCount, samplers,
+    const MOJOSHADER_parseData* parsed = MOJOSHADER_parse(MOJOSHADER_PROFILE_SPIRV, entry, tokens, size, swizzles, swizzleCount, samplers,
                                                           samplerCount, nullptr, nullptr, nullptr);
     for (int i = 0; i < parsed->error_count; ++i)
         gRefused += fmt::format("{}: {}\n", entry, parsed->errors[i].error);
@@ -74,6 +75,9 @@ std::string shapeOf(const MOJOSHADER_effectValue& value) {
     return fmt::format("{} x {} of {}", value.type.rows, value.type.columns, value.type.elements);
 }
 
+/// Preshaders of these have instructions at which this version of MojoShader ends the program.
+const std::set<std::string> kUnread = {"FurSkin", "Ladder", "Pyramid", "SkinPost"};
+
 class MojoShader : public testing::TestWithParam<fs::path> {
 protected:
     MojoShader() : folder_(fs::temp_directory_path() / fmt::format("tegument-mojoshader-{}", ::getpid())) {}
@@ -81,7 +85,9 @@ protected:
 
     /// Null: the effect has no technique for fx_2_0.
     [[nodiscard]] std::unique_ptr<const MOJOSHADER_effect, Deleted> read(const fs::path& file) const {
-        const auto written = emitEffect(checkEffects({file}, {Target::Fx2}).files.at(0), {.folder = folder_, .kinds = {Target::Fx2}});
+        // MojoShader translates no centroid.
+        const CheckReport report = checkEffects({file}, {Target::Fx2}, {.variants = {{.name = "", .defines = {{"centroid", ""}}}}});
+        const auto written = emitEffect(report.files.at(0), {.folder = folder_, .kinds = {Target::Fx2}});
         const auto binary = written ? readFile(*written / (file.stem().string() + ".fx_2_0.fxo")) : Result<std::string>(written.error());
         if (!binary) return nullptr;
         gRefused.clear();
@@ -100,6 +106,11 @@ TEST_P(MojoShader, has_the_techniques_parameters_and_samplers_of_the_effect) {
     ASSERT_TRUE(ours) << format(ours.error());
     const bool old = std::ranges::any_of(ours->techniques, [](const Technique& each) { return each.kind == TechniqueKind::D3D9; });
     if (!old) return; // of compute shaders alone
+    if (kUnread.contains(GetParam().stem().string())) {
+        GTEST_FLAG_SET(death_test_style, "threadsafe");
+        EXPECT_DEATH(std::ignore = read(GetParam()), "") << "MojoShader reads it now: take it out of the list";
+        return;
+    }
     const auto theirs = read(GetParam());
     ASSERT_TRUE(theirs);
     for (int i = 0; i < theirs->error_count; ++i)

@@ -146,7 +146,8 @@ float2 tgPostZ(TG_SAMPLER2D_PARAM(depth), float2 uv)
 // Texel of the profiles' table. gaussian: weight (RGB) and variance, mm^2.
 float4 tgPostStored(float4 gaussian)
 {
-    return float4(gaussian.rgb / (2.0 * kTgPi * gaussian.w), 0.5 * 1.44269504 / gaussian.w);
+    float variance = max(gaussian.w, 1e-6);
+    return float4(gaussian.rgb / (2.0 * kTgPi * variance), 0.5 * 1.44269504 / variance);
 }
 
 // R at a squared distance. gaussians: rows of the table.

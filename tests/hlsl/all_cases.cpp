@@ -4,7 +4,7 @@ namespace tegument::test {
 
 std::vector<FunctionCase> allCases() {
     return together(specularCases(), lightCases(), softShadowCases(), surfaceCases(), workspaceCases(), shadowCases(), gaussianCases(),
-                    poissonCases(), scatterCases(), pyramidCases(), cullCases(), furCases(), furRootsCases(), furRibbonCases(),
+                    poissonCases(), scatterCases(), postCases(), pyramidCases(), cullCases(), furCases(), furRootsCases(), furRibbonCases(),
                     peerScreenCases(), peerDiscCases(), peerTableCases(), lockCases(), lockLightCases(), ribbonPassCases(),
                     strandPassCases(), computePassCases(), furShellCases(), furSweepCases(), furLayerCases(), furMotionCases(),
                     lockPassCases(), strandRibbonCases(), furNotedCases(), pyramidPassCases(), pyramidLinkCases(), pyramidFinalCases(),

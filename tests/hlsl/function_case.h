@@ -173,6 +173,7 @@ template <class... Parts>
 [[nodiscard]] std::vector<FunctionCase> poissonCases();
 [[nodiscard]] std::vector<FunctionCase> scatterCases();
 [[nodiscard]] std::vector<FunctionCase> pyramidCases();
+[[nodiscard]] std::vector<FunctionCase> postCases();
 [[nodiscard]] std::vector<FunctionCase> toneCases();
 [[nodiscard]] std::vector<FunctionCase> cullCases();
 [[nodiscard]] std::vector<FunctionCase> furCases();

@@ -40,16 +40,16 @@ std::vector<FunctionCase> pictures() {
                                     return values(ownWeightOf({0, 0, 0, linked * density}));
                                 }));
     cases.back().domain = [](const Inputs& x) { return x.scalar(1) > 1e-3; };
-    cases.push_back(
-        pyramidCase("finalColour",
-                    "FinalVarying v = (FinalVarying)0; v.uv = float2((a0 + 0.5) / 4.0, 0.5); v.world = a4; LitPoint p = (LitPoint)0; "
-                    "p.albedo = a1; p.scatters = a2; p.normal = a3; p.meshNormal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); "
-                    "p.cosine = a3.z; p.footprint = 0.2; p.axisX = float3(1, 0, 0); p.axisY = float3(0, 1, 0); p.lightUv = 0.5; "
-                    "return finalColour(v, p, p.meshNormal);",
-                    {whole(0, 3), linear(0.05, 1, 3), linear(0, 1), unit(), linear(-40, 40, 3)}, [](const Inputs& x) {
-                        const glm::dvec4& wide = kWide[static_cast<std::size_t>(std::round(x.scalar(0)))];
-                        return values(glm::dvec4(pictureOf(wide, glm::dvec4(x.vec3(1), x.scalar(2)), x.vec3(3), x.vec3(4)), 1));
-                    }));
+    cases.push_back(pyramidCase(
+        "finalColour",
+        "FinalVarying v = (FinalVarying)0; v.uv = float2((a0 + 0.5) / 4.0, 0.5); v.world = a4; LitPoint p = (LitPoint)0; "
+        "p.albedo = a1; p.scatters = a2; p.normal = a3; p.meshNormal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); "
+        "p.cosine = a3.z; p.footprint = 0.2; p.axisX = float3(1, 0, 0); p.axisY = float3(0, 1, 0); p.lightUv = 0.5; p.light = gLightColor; "
+        "return finalColour(v, p, p.meshNormal);",
+        {whole(0, 3), linear(0.05, 1, 3), linear(0, 1), unit(), linear(-40, 40, 3)}, [](const Inputs& x) {
+            const glm::dvec4& wide = kWide[static_cast<std::size_t>(std::round(x.scalar(0)))];
+            return values(glm::dvec4(pictureOf(wide, glm::dvec4(x.vec3(1), x.scalar(2)), x.vec3(3), x.vec3(4)), 1));
+        }));
     cases.back().maps["gLight0Map"] = rowOfTexels(kWide);
     cases.back().maps["gShadowMap"] = oneTexel(0);
     cases.back().tolerance.backward = 16;

@@ -132,9 +132,9 @@ FunctionCase printedTransmission() {
 std::vector<FunctionCase> diffused() {
     std::vector<FunctionCase> cases;
     cases.push_back(mainCase("diffusedLight",
-                             std::string(kStep) +
-                                 "LitPoint p = (LitPoint)0; p.albedo = a1; p.cosine = a2; p.shadow = a3; p.lightUv = 0.5; p.depth = 160.0; "
-                                 "return float4(diffusedLight(s, p), 0);",
+                             std::string(kStep) + "LitPoint p = (LitPoint)0; p.light = gLightColor; p.albedo = a1; p.cosine = a2; p.shadow "
+                                                  "= a3; p.lightUv = 0.5; p.depth = 160.0; "
+                                                  "return float4(diffusedLight(s, p), 0);",
                              {whole(0, 3), linear(0.05, 1, 3), linear(-1, 1), linear(0, 1)}, [](const Inputs& x) {
                                  const auto at = static_cast<std::size_t>(std::round(x.scalar(0)));
                                  const glm::dvec3 unblurred = enteringSkin(x.vec3(1), x.scalar(2), x.scalar(3));
@@ -234,9 +234,10 @@ std::vector<FunctionCase> pictures() {
                              }));
     addSurface(cases.back());
     cases.back().maps["gKernelSizeMap"] = rowOfTexels(kColours);
-    cases.push_back(mainCase("diffuseHere", "LitPoint p = (LitPoint)0; p.cosine = a0; p.shadow = a1; return float4(diffuseHere(p), 0);",
-                             {linear(-1, 1), linear(0, 1)},
-                             [](const Inputs& x) { return values(kSkinLight * std::clamp(x.scalar(0), 0.0, 1.0) * x.scalar(1)); }));
+    cases.push_back(mainCase(
+        "diffuseHere", "LitPoint p = (LitPoint)0; p.light = gLightColor; p.cosine = a0; p.shadow = a1; return float4(diffuseHere(p), 0);",
+        {linear(-1, 1), linear(0, 1)},
+        [](const Inputs& x) { return values(kSkinLight * std::clamp(x.scalar(0), 0.0, 1.0) * x.scalar(1)); }));
     cases.push_back(mainCase("surfacePoint", std::string(kSurface) + "LitPoint p = surfacePoint(s, a1); return float4(p.albedo, p.cosine);",
                              surfaceArguments(), [](const Inputs& x) { return values(1, 1, 1, x.vec3(1).z); }));
     for (const char* effect : {"Main.fx", "Pyramid.fx"}) { // a flat texel of a normal map has lost nothing

@@ -78,7 +78,8 @@ function numbersOf({json, buffers}, index) {
 /// Nodes, skins and animations of the first that the second does not have, number for number.
 function lost(before, after) {
   const found = [];
-  const sorted = value => value && typeof value === 'object' && !Array.isArray(value) ? Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])])) : value;
+  const sorted = value => Array.isArray(value) ? value.map(sorted)
+    : value && typeof value === 'object' ? Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])])) : value;
   const same = (a, b) => JSON.stringify(sorted(a)) === JSON.stringify(sorted(b));
   const numbers = (file, index) => index === undefined ? [] : Array.from(numbersOf(file, index));
   const packed = before.json.bufferViews.some(view => view.extensions);

@@ -122,6 +122,7 @@ const std::vector<Switch>& switches() {
         {"TEGUMENT_SOFT_SHADOWS", "shadows of lamps have penumbras"},
         {"TEGUMENT_LOBES", "skin mirrors by two lobes"},
         {"TEGUMENT_SLAB", "DEonLuebke lets through what simulated skin does"},
+        {"TEGUMENT_POST_HALF", "SkinPost gathers from maps of half resolution"},
         {"TEGUMENT_NORMAL_XY", "the normal map has two channels (BC5, RG8)"},
         {"TEGUMENT_FUR_COLOR_MAP", "fur has the colour of gFurColorMap"},
         {"TEGUMENT_FUR_VERTEX_LIGHT", "light of Fur at vertices: faster"},

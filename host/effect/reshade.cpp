@@ -823,8 +823,7 @@ bool isReshade(const std::vector<Token>& tokens) {
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
         if (tokens[i].kind != TokenKind::Word) continue;
         if (tokens[i + 1].is('(')) functions.insert(tokens[i].text);
-        if (!tokens[i + 1].is('=') || !(tokens[i].is("VertexShader") || tokens[i].is("PixelShader") || tokens[i].is("ComputeShader")))
-            continue;
+        if (!tokens[i + 1].is('=') || !(tokens[i].is("VertexShader") || tokens[i].is("ComputeShader"))) continue;
         std::size_t end = i + 2;
         while (end < tokens.size() && (tokens[end].kind == TokenKind::Word || tokens[end].is(':')))
             ++end;

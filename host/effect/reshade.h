@@ -20,7 +20,7 @@ inline constexpr const char* kMeshIn = "TEGUMENT_MESH_IN";       // the mesh is 
 /// What ReShade defines before it reads a file, where nobody has defined it.
 void defineReshade(std::vector<std::pair<std::string, std::string>>& defines);
 
-/// Whether a pass names a function of the file as its shader, as no other dialect does.
+/// Whether a pass names a function of the file as its vertex or compute shader, as no other dialect does.
 [[nodiscard]] bool isReshade(const std::vector<Token>& tokens);
 
 /// Rewrites the tokens; warnings say which pictures are missing. `effect` is the file, for what lies beside it. An error: TG1102 for a

@@ -59,10 +59,6 @@ std::string apart(const Subject& subject, const Case& each) {
 Limits limitsOf(const Subject& subject, const Case& each) {
     Limits limits = usual();
     if (isFur(subject)) limits = {.relativeL2 = kFurLimit, .beyond = 1};
-    if (subject.technique == "SkinPostCompute")
-        limits = {.relativeL2 = limits.relativeL2,
-                  .beyond = 3e-3,
-                  .excused = "where a rounding moves a slope across what counts as one surface a pixel gathers otherwise"};
     if (subject.technique == "CoatChance")
         limits = {.relativeL2 = 3e-2,
                   .beyond = 1e-3,

@@ -147,8 +147,7 @@ const Case& libraryCase() {
 
 bool drawnBy(const Case& drawn, Engine engine) {
     if (engine == Engine::Direct3D9 && drawn.soft) return false; // no slots for penumbras
-    // The client of Direct3D 12 makes no levels of targets, which SkinPost reads (docs/design/direct3d.md).
-    if (engine == Engine::Direct3D12) return !drawn.name().starts_with("Fur_Cube") && !drawn.name().starts_with("SkinPost_");
+    if (engine == Engine::Direct3D12) return !drawn.name().starts_with("Fur_Cube");
     return (drawn.effect != libraryCase().effect && !drawn.computes) || engine == Engine::Vulkan || engine == Engine::Direct3D11;
 }
 

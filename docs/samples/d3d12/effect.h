@@ -45,7 +45,7 @@ public:
             const Json* levels = depth ? nullptr : said.find("MipLevels");
             const DXGI_FORMAT format = targetFormat(said.textOr("Format", depth ? "D24S8" : "A8R8G8B8"));
             const UINT width = targetSize(said, 0, "Width", pictureWidth), height = targetSize(said, 1, "Height", pictureHeight);
-            const TextureShape shape{width, height, levels ? levels->whole() : 1, 1, format, flags};
+            const TextureShape shape{width, height, levelsOf(levels ? levels->whole() : 1, width, height), 1, format, flags};
             targets_[parameter.at("name").text()] = device_.texture(shape);
         }
     }
@@ -59,6 +59,14 @@ public:
     }
 
 private:
+    /// MipLevels 0: down to one texel.
+    static UINT levelsOf(UINT asked, UINT width, UINT height) {
+        UINT all = 1;
+        while (std::max(width, height) >> all > 0)
+            ++all;
+        return asked == 0 ? all : std::min(asked, all);
+    }
+
     // ---- What scripts ask for.
 
     void setTargets(const script_player::Targets& targets) override {

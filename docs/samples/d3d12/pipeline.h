@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 inline std::string textOf(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
@@ -232,27 +233,29 @@ inline void readNothing(Device& device, D3D12_CPU_DESCRIPTOR_HANDLE place) {
 class MipMaker {
 public:
     void make(Device& device, Texture& texture) {
-        if (!state_ || format_ != texture.shape.format) open(device, texture.shape.format);
+        ComPtr<ID3D12PipelineState>& state = states_[texture.shape.format]; // kept: lists that have not run name it
+        if (!state) state = opened(device, texture.shape.format);
         const auto before = texture.state;
         for (UINT level = 1; level < texture.shape.levels; ++level) {
             device.barrier(texture, before, kRead, level - 1);
             if (before != D3D12_RESOURCE_STATE_RENDER_TARGET) device.barrier(texture, before, D3D12_RESOURCE_STATE_RENDER_TARGET, level);
             device.beginDraw();
-            draw(device, texture, level);
+            draw(device, texture, level, state.Get());
             device.barrier(texture, kRead, before, level - 1);
             if (before != D3D12_RESOURCE_STATE_RENDER_TARGET) device.barrier(texture, D3D12_RESOURCE_STATE_RENDER_TARGET, before, level);
         }
     }
 
 private:
-    void open(Device& device, DXGI_FORMAT format) {
+    ComPtr<ID3D12PipelineState> opened(Device& device, DXGI_FORMAT format) {
         const std::string code =
             "Texture2D t : register(t0); SamplerState s : register(s0);\n"
             "float4 VS(uint i : SV_VertexID, out float2 uv : TEXCOORD) : SV_Position {\n"
             "    uv = float2(i & 1, i >> 1) * 2; return float4(uv * float2(2, -2) + float2(-1, 1), 0, 1); }\n"
             "float4 PS(float4 p : SV_Position, float2 uv : TEXCOORD) : SV_Target { return t.SampleLevel(s, uv, 0); }\n";
-        root_ = rootSignature(device, "DescriptorTable(SRV(t0)), StaticSampler(s0, filter=FILTER_MIN_MAG_LINEAR_MIP_POINT, "
-                                      "addressU=TEXTURE_ADDRESS_CLAMP, addressV=TEXTURE_ADDRESS_CLAMP)");
+        if (!root_.signature)
+            root_ = rootSignature(device, "DescriptorTable(SRV(t0)), StaticSampler(s0, filter=FILTER_MIN_MAG_LINEAR_MIP_POINT, "
+                                          "addressU=TEXTURE_ADDRESS_CLAMP, addressV=TEXTURE_ADDRESS_CLAMP)");
         const ComPtr<ID3DBlob> vertex = compiled(code, "VS", "vs_5_0"), pixel = compiled(code, "PS", "ps_5_0");
         D3D12_GRAPHICS_PIPELINE_STATE_DESC desc{};
         desc.pRootSignature = root_.signature.Get();
@@ -264,20 +267,21 @@ private:
         desc.RasterizerState.CullMode = D3D12_CULL_MODE_NONE;
         desc.PrimitiveTopologyType = D3D12_PRIMITIVE_TOPOLOGY_TYPE_TRIANGLE;
         desc.NumRenderTargets = 1;
-        desc.RTVFormats[0] = format_ = format;
+        desc.RTVFormats[0] = format;
         desc.SampleDesc.Count = 1;
-        state_.Reset();
-        check(device->CreateGraphicsPipelineState(&desc, IID_PPV_ARGS(&state_)), "the pipeline of mip levels");
+        ComPtr<ID3D12PipelineState> state;
+        check(device->CreateGraphicsPipelineState(&desc, IID_PPV_ARGS(&state)), "the pipeline of mip levels");
+        return state;
     }
 
-    void draw(Device& device, const Texture& texture, UINT level) {
+    void draw(Device& device, const Texture& texture, UINT level, ID3D12PipelineState* state) {
         ID3D12GraphicsCommandList* const list = device.list();
         const UINT width = std::max(1U, texture.shape.width >> level), height = std::max(1U, texture.shape.height >> level);
         const D3D12_VIEWPORT viewport{0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1};
         const D3D12_RECT all{0, 0, static_cast<LONG>(width), static_cast<LONG>(height)};
         const Device::Table table = device.table(false, 1);
         readView(device, texture, level - 1, 1, table.cpu);
-        list->SetPipelineState(state_.Get());
+        list->SetPipelineState(state);
         list->SetGraphicsRootSignature(root_.signature.Get());
         list->SetGraphicsRootDescriptorTable(0, table.gpu);
         list->OMSetRenderTargets(1, &texture.levels[level], FALSE, nullptr);
@@ -288,6 +292,5 @@ private:
     }
 
     RootSignature root_;
-    ComPtr<ID3D12PipelineState> state_;
-    DXGI_FORMAT format_ = DXGI_FORMAT_UNKNOWN;
+    std::map<DXGI_FORMAT, ComPtr<ID3D12PipelineState>> states_;
 };

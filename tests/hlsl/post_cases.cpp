@@ -213,12 +213,11 @@ std::vector<FunctionCase> profiles() {
 
 std::vector<FunctionCase> sums() {
     const std::string disc = kView + "TgPostDisc disc = tgPostDisc(view, float2(0.4, 0.6), texel, 50.0, a0); ";
-    const std::string flat =
-        "TgPostDisc disc = (TgPostDisc)0; disc.uv = float2(0.4, 0.6); disc.pixel = float2(0.01, 0.02); disc.wide = 0.5; "
-        "disc.rise = float2(0.1, 0.8); disc.area = 0.4; ";
+    const std::string flat = "TgPostDisc disc = (TgPostDisc)0; disc.uv = float2(0.4, 0.6); disc.steps = float3(0.02, -0.003, 0.025); "
+                             "disc.level = -0.5; ";
     struct Disc {
         double area, wide;
-        glm::dvec2 rise;
+        glm::dvec2 rise; // of a row, along the axes
         explicit Disc(const glm::dvec2& slope) {
             const glm::dvec3 right = tangent({0.4, 0.6}, {kPixel.x, 0}, 50, slope.x);
             const glm::dvec3 down = tangent({0.4, 0.6}, {0, kPixel.y}, 50, slope.y);
@@ -229,12 +228,21 @@ std::vector<FunctionCase> sums() {
         }
     };
     std::vector<FunctionCase> cases;
-    cases.push_back(post("tgPostDisc", disc + "return float4(disc.area, disc.wide, disc.rise);", {linear(-1, 1, 2)},
-                         [](const Inputs& x) {
-                             const Disc d(x.vec2(0));
-                             return values(d.area, d.wide, d.rise.x, d.rise.y);
-                         },
-                         {.forward = 64, .backward = 64, .absolute = 1e-5, .why = "products of vectors"}));
+    const Tolerance products{.forward = 64, .backward = 64, .absolute = 1e-5, .why = "products of vectors"};
+    cases.push_back(post(
+        "tgPostDisc", disc + "return float4(disc.area, disc.share, disc.level, 0);", {linear(-1, 1, 2)},
+        [](const Inputs& x) {
+            const Disc d(x.vec2(0));
+            return values(d.area, kPixel.x * kPixel.y / d.area, -0.5 * std::log2(d.area) - 1, 0);
+        },
+        products));
+    cases.push_back(post(
+        "tgPostDisc", disc + "return float4(disc.steps, 0);", {linear(-1, 1, 2)},
+        [](const Inputs& x) {
+            const Disc d(x.vec2(0));
+            return values(kPixel.x / d.wide, -d.rise.x / d.rise.y * kPixel.x / d.wide, kPixel.y / d.rise.y, 0);
+        },
+        products));
     cases.push_back(post("tgPostWithin",
                          "TgPostDisc disc = (TgPostDisc)0; disc.area = a0; return tgPostWithin(disc, float4(0, 0, 0, a1)) ? 1.0 : 0.0;",
                          {linear(0.1, 2), linear(0, 1)}, [](const Inputs& x) {
@@ -242,18 +250,28 @@ std::vector<FunctionCase> sums() {
                              return values(within, within, within, within);
                          }));
     cases.back().domain = [](const Inputs& x) { return std::abs(kPi * x.scalar(1) * x.scalar(1) - 0.5 * x.scalar(0)) > 1e-4; };
-    cases.push_back(post("tgPostTarget", flat + "return float4(tgPostTarget(disc, float4(a0, 0, 0, a1), a2, 0.25), 0);",
-                         {logarithmic(0.1, 100), linear(0, 10), whole(0, 23)},
+    cases.push_back(post("tgPostFirst", "return float4(tgPostFirst(a0), 0, 0);", {linear(0, 1)},
+                         [](const Inputs& x) { return values(std::cos(2 * kPi * x.scalar(0)), std::sin(2 * kPi * x.scalar(0))); }));
+    cases.push_back(post("tgPostNext",
+                         "float2 way = float2(1.0, 0.0); [loop] for (float i = 0.0; i < a0; i += 1.0) way = tgPostNext(way); "
+                         "return float4(way, 0, 0);",
+                         {whole(0, 63)},
                          [](const Inputs& x) {
-                             const double angle = kPi * (3 - std::sqrt(5.0)) * std::round(x.scalar(2)) + 0.5 * kPi;
-                             const glm::dvec2 way = x.scalar(1) * glm::dvec2(std::cos(angle), std::sin(angle));
-                             const double down = way.y / 0.8;
-                             const double right = (way.x - down * 0.1) / 0.5;
-                             const double level = std::clamp(0.5 * std::log2(x.scalar(0) / 0.4) - 1, 0.0, 6.0);
-                             return values(0.4 + right * kPixel.x, 0.6 + down * kPixel.y, level);
+                             const double angle = kPi * (3 - std::sqrt(5.0)) * std::round(x.scalar(0));
+                             return values(std::cos(angle), std::sin(angle));
                          },
-                         {.forward = 64, .backward = 16, .absolute = 5e-5, .why = "an angle of up to 60 radians in float"}));
-    cases.back().domain = [](const Inputs& x) { return x.scalar(0) > 1e-3 && std::abs(x.scalar(1)) < 20 && x.scalar(2) >= 0; };
+                         {.forward = 64, .backward = 16, .absolute = 2e-5, .why = "up to 63 turns, each rounded to 24 bits"}));
+    cases.back().domain = [](const Inputs& x) { return x.scalar(0) >= 0; };
+    cases.push_back(post("tgPostTarget", flat + "return float4(tgPostTarget(disc, float4(a0, 0, 0, a1), a2), 0);",
+                         {logarithmic(0.1, 100), linear(0, 10), linear(-1, 1, 2)}, [](const Inputs& x) {
+                             const glm::dvec2 at = x.scalar(1) * x.vec2(2);
+                             const double level = std::round(std::clamp(0.5 * std::log2(x.scalar(0)) - 0.5, 0.0, 6.0));
+                             return values(0.4 + 0.02 * at.x - 0.003 * at.y, 0.6 + 0.025 * at.y, level);
+                         }));
+    cases.back().domain = [](const Inputs& x) {
+        const double level = 0.5 * std::log2(x.scalar(0)) - 0.5;
+        return x.scalar(0) > 1e-3 && std::abs(level + 0.5 - std::round(level + 0.5)) > 1e-4;
+    };
     cases.push_back(
         post("tgPostAdd",
              kView + kGaussians +

@@ -143,10 +143,10 @@ float2 tgPostZ(TG_SAMPLER2D_PARAM(depth), float2 uv)
     return float2(texel.x / max(texel.y, 1e-6), step(1e-3, texel.y));
 }
 
-// Texel of the profiles' table. gaussian: weight (RGB) and variance, mm^2.
+// Texel of the profiles' table, which halves can hold. gaussian: weight (RGB) and variance, mm^2.
 float4 tgPostStored(float4 gaussian)
 {
-    float variance = max(gaussian.w, 1e-6);
+    float variance = max(gaussian.w, 2e-5);
     return float4(gaussian.rgb / (2.0 * kTgPi * variance), 0.5 * 1.44269504 / variance);
 }
 

@@ -14,7 +14,7 @@ TG_SAMPLER2D(gCoatOpacity, LINEAR, CLAMP);
 
 // Where the layers end, in thicknesses of the coat; what is deeper than the last counts for it.
 static const float4 kCoatLayers = float4(0.25, 0.6, 1.2, 2.4);
-static const float kCoatGap = 0.6;      // depth where no front is known, thicknesses
+static const float kCoatGap = 0.1;      // depth where no front is known, thicknesses: neither dark lines at hard edges nor light at borders
 static const float kCoatOwn = 0.05;     // a strand does not shadow itself: that many thicknesses before it
 static const float kCoatSoft = 1.4;     // texels of the map across which light is blurred, at least,
 static const float kCoatBlur = 1.25;    // and pixels of the picture

@@ -429,7 +429,10 @@ TEST(ShaderTests, CoverageNamesLinesThatDidNotRun) {
     expectPassed(ran);
     EXPECT_NE(ran.out.find("4 of 5"), std::string::npos) << ran.out;
     const std::string info = read(out("covered.info"));
-    EXPECT_NE(info.find("covered.hlsl\nDA:3,2\nDA:4,1\nDA:5,1\nDA:6,0\nDA:7,1\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("covered.hlsl\nBRDA:3,0,0,1\nBRDA:3,0,1,1\nBRDA:5,0,0,0\nBRDA:5,0,1,1\nBRF:4\nBRH:3\n"
+                        "DA:3,2\nDA:4,1\nDA:5,1\nDA:6,0\nDA:7,1\n"),
+              std::string::npos)
+        << info;
 }
 
 TEST(ShaderTests, CoverageNamesBranchesThatWentOneWay) {

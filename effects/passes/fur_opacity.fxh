@@ -14,6 +14,7 @@ TG_SAMPLER2D(gCoatOpacity, LINEAR, CLAMP);
 
 // Where the layers end, in thicknesses of the coat; what is deeper than the last counts for it.
 static const float4 kCoatLayers = float4(0.25, 0.6, 1.2, 2.4);
+static const float kCoatGap = 0.6;      // depth where no front is known, thicknesses
 static const float kCoatOwn = 0.05;     // a strand does not shadow itself: that many thicknesses before it
 static const float kCoatSoft = 1.4;     // texels of the map across which light is blurred, at least,
 static const float kCoatBlur = 1.25;    // and pixels of the picture
@@ -28,7 +29,7 @@ static const float kCoatSkinLeast = 0.02; // and at least so many of the mesh's 
     TG_LAYER_SCRIPT("gCoatShadowStrands", "gFurChild", "Opacity")
 #define OPACITY_PASSES OPACITY_PASSES_OF(CoatFrontVS, OpacityVS, OpacityPS)
 #define OPACITY_PASSES_OF(frontVS, opacityVS, opacityPS) \
-    TG_PART_PASS(CoatSkin, "skin", CoatSkinVS, CoatFrontPS, TG_STATE_TWOSIDED) \
+    TG_PART_PASS(CoatSkin, "skin", CoatSkinVS, CoatSkinPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(CoatFront, "skin", frontVS, CoatFrontPS, TG_STATE_TWOSIDED) \
     TG_SEEN_LAYER_PASS(Opacity, "underfur", OPACITY_SHARE, "gCoatShadowStrands", opacityVS, opacityPS, TG_STATE_SUM)
 
@@ -40,7 +41,8 @@ float coatThickness()
 struct CoatFrontVarying
 {
     float4 position : SV_Position;
-    float distance : TEXCOORD0; // from the light, mm
+    float2 light : TEXCOORD0; // distance from the light, mm; above 0: from outside
+    float3 place : TEXCOORD1; // lightClip's x, y, w
 };
 
 CoatFrontVarying coatFrontVarying(TgVertexInput input, float height)
@@ -50,7 +52,8 @@ CoatFrontVarying coatFrontVarying(TgVertexInput input, float height)
     float4 position = hull.lightClip;
     position.z = tgFurNearDepth(position.z, position.w);
     output.position = TG_HALF_PIXEL(position, gViewportSize);
-    output.distance = furFromLight(hull.world);
+    output.light = float2(furFromLight(hull.world), dot(tgWorldNormal(hull.normal), tgLightDirection(hull.world)));
+    output.place = hull.lightClip.xyw;
     return output;
 }
 
@@ -64,16 +67,27 @@ CoatFrontVarying CoatFrontVS(TgVertexInput input)
     return coatFrontVarying(input, 1.0);
 }
 
+float4 CoatSkinPS(CoatFrontVarying input) : SV_Target0
+{
+    return float4(max(input.light.x, 1e-6), 0.0, 0.0, 1.0); // 0 means that there is nothing
+}
+
+// At borders and hard edges of the mesh the front gapes, and what the light sees through the gap is behind the skin, or the front's far
+// side: there the coat begins one thickness before the skin, or nowhere.
 float4 CoatFrontPS(CoatFrontVarying input) : SV_Target0
 {
-    return float4(max(input.distance, 1e-6), 0.0, 0.0, 1.0); // 0 means that there is nothing
+    float skin = tex2Dlod(gCoatSkin, float4(input.place.xy / input.place.z * float2(0.5, -0.5) + 0.5, 0.0, 0.0)).x;
+    float front = input.light.x;
+    float gap = skin > 0.0 ? skin - tgMillimetres(coatThickness()) : 0.0;
+    bool gapes = skin > 0.0 ? front > skin : input.light.y < 0.0;
+    return float4(gapes ? max(gap, 0.0) : max(front, 1e-6), 0.0, 0.0, 1.0);
 }
 
 // Depth behind the coat's front, thicknesses.
 float coatDepth(float2 place, float distance)
 {
     float front = tex2Dlod(gCoatFront, float4(place, 0.0, 0.0)).x;
-    return front > 0.0 ? (distance - front) / max(tgMillimetres(coatThickness()), 1e-20) : 0.0;
+    return front > 0.0 ? (distance - front) / max(tgMillimetres(coatThickness()), 1e-20) : kCoatGap;
 }
 
 struct OpacityVarying

@@ -19,7 +19,7 @@ float4 gPostTone[16] < string UIName = "Skins";
 #else
 #define POST_TARGET(format) float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 0; string Format = format;
 #endif
-#define POST_TABLE(width) int Width = width; int Height = 16; int MipLevels = 1; string Format = "A32B32G32R32F";
+#define POST_TABLE(width) int Width = width; int Height = 16; int MipLevels = 1; string Format = "A16B16G16R16F";
 Texture2D gPostProfilesMap : RENDERCOLORTARGET < POST_TABLE(8) >;
 Texture2D gPostKernelsMap : RENDERCOLORTARGET < POST_TABLE(64) >;
 Texture2D gPostAreaLightMap : RENDERCOLORTARGET < POST_TARGET("A16B16G16R16F") >;

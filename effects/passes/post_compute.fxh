@@ -55,6 +55,7 @@ void postFill(int2 first, uint inGroup, float2 pixel)
 float3 postTiled(float4 gaussians[6], float row, TgPostView view, TgPostDisc disc, float3 own, float turn, int2 first, float2 size)
 {
     TgPostSum sum = (TgPostSum)0;
+    float2 way = tgPostFirst(turn);
     [loop] for (float i = 0.0; i < gPostSamples; i += 1.0)
     {
         float4 tap = tgPostTapOf(TG_SAMPLER2D_ARG(gPostKernels), row, i);
@@ -62,7 +63,7 @@ float3 postTiled(float4 gaussians[6], float row, TgPostView view, TgPostDisc dis
             sum.inner = tap.w;
         else
         {
-            float3 target = tgPostTarget(disc, tap, i, turn);
+            float3 target = tgPostTarget(disc, tap, way);
             float2 place = target.xy * size - first;
             float4 lit;
             float2 deep;
@@ -75,6 +76,7 @@ float3 postTiled(float4 gaussians[6], float row, TgPostView view, TgPostDisc dis
             }
             tgPostAdd(sum, view, disc, gaussians, tap, target.xy, lit, deep);
         }
+        way = tgPostNext(way);
     }
     return tgPostMean(sum, gaussians, own);
 }

@@ -23,8 +23,8 @@ static const float kTgPostCoarsest = 6.0;
 static const float kTgPostFiner = 1.0;
 // Exponent of a Gaussian's weight in the share of samples that it gets: 1 leaves wide and faint ones too few.
 static const float kTgPostEven = 0.4;
-// pi (3 - sqrt 5), from sample to sample.
-static const float kTgPostAngle = 2.39996323;
+// Cosine and sine of pi (3 - sqrt 5), the angle from sample to sample.
+static const float2 kTgPostTurn = float2(-0.73736888, 0.67549029);
 // Pixels by which noise moves from frame to frame (Jimenez 2014).
 static const float kTgPostFrameStep = 5.588238;
 // Share of its area with which what covers skin counts: half of the skin below is dark.
@@ -64,7 +64,7 @@ float3 tgPostUnproject(float2 uv, float depth, float4x4 fromPicture, float mm)
     return place.xyz * (mm / place.w);
 }
 
-// Places by their z in view space: origin + z * ray, both linear in uv.
+// Places by their z in view space: origin + z * ray, both linear in uv. z of the rays is 1, z of the origins 0.
 struct TgPostView
 {
     float3 origin, originU, originV;
@@ -143,10 +143,10 @@ float2 tgPostZ(TG_SAMPLER2D_PARAM(depth), float2 uv)
     return float2(texel.x / max(texel.y, 1e-6), step(1e-3, texel.y));
 }
 
-// Texel of the profiles' table. gaussian: weight (RGB) and variance, mm^2.
+// Texel of the profiles' table, which halves can hold. gaussian: weight (RGB) and variance, mm^2.
 float4 tgPostStored(float4 gaussian)
 {
-    float variance = max(gaussian.w, 1e-6);
+    float variance = max(gaussian.w, 2e-5);
     return float4(gaussian.rgb / (2.0 * kTgPi * variance), 0.5 * 1.44269504 / variance);
 }
 
@@ -215,12 +215,12 @@ float4 tgPostTap(float4 gaussians[6], float i, float count)
 struct TgPostDisc
 {
     float2 uv;
-    float2 pixel;
-    float3 here;
-    float3 axisU, axisV;
-    float2 rise; // way to the next row along the axes, mm
-    float wide;  // to the next column
-    float area;  // mm^2 of surface in a pixel
+    float z;
+    float2 ray;   // x and y of a step along the view, of z 1
+    float3 steps; // uv of a mm on the disc: u of the first axis, u and v of the second
+    float area;   // mm^2 of surface in a pixel
+    float share;  // pixel, in uv^2, over area
+    float level;  // of a sample that stands for 1 mm^2
 };
 
 // pixel: its size, in uv; slope: of z to the next one to the right and down.
@@ -228,16 +228,17 @@ TgPostDisc tgPostDisc(TgPostView view, float2 uv, float2 pixel, float z, float2 
 {
     float3 right = tgPostTangent(view, uv, float2(pixel.x, 0.0), z, slope.x);
     float3 down = tgPostTangent(view, uv, float2(0.0, pixel.y), z, slope.y);
-    TgPostDisc disc;
     float3 normal = cross(right, down);
+    TgPostDisc disc;
     disc.uv = uv;
-    disc.pixel = pixel;
-    disc.here = tgPostPlace(view, uv, z);
+    disc.z = z;
+    disc.ray = view.ray.xy + uv.x * view.rayU.xy + uv.y * view.rayV.xy;
     disc.area = max(length(normal), 1e-12);
-    disc.wide = max(length(right), 1e-9);
-    disc.axisU = right / disc.wide;
-    disc.axisV = cross(normal / disc.area, disc.axisU);
-    disc.rise = float2(dot(down, disc.axisU), dot(down, disc.axisV));
+    disc.share = pixel.x * pixel.y / disc.area;
+    disc.level = -0.5 * log2(disc.area) - kTgPostFiner;
+    float wide = max(length(right), 1e-9);
+    float high = disc.area / wide;
+    disc.steps = float3(pixel.x / wide, -pixel.x * dot(down, right) / (wide * wide * high), pixel.y / high);
     return disc;
 }
 
@@ -247,16 +248,24 @@ bool tgPostWithin(TgPostDisc disc, float4 tap)
     return kTgPi * tap.w * tap.w < kTgPostOwn * disc.area;
 }
 
-// Where sample i reads: uv, and the level that is as coarse as the samples are far apart.
-float3 tgPostTarget(TgPostDisc disc, float4 tap, float i, float turn)
+// Direction of the first sample. turn: of the pattern, 0 to 1.
+float2 tgPostFirst(float turn)
 {
-    float angle = kTgPostAngle * i + 2.0 * kTgPi * turn;
-    float2 way = tap.w * float2(cos(angle), sin(angle));
-    float2 pixels;
-    pixels.y = way.y / disc.rise.y;
-    pixels.x = (way.x - pixels.y * disc.rise.x) / disc.wide;
-    float level = clamp(0.5 * log2(max(tap.x, 1e-9) / disc.area) - kTgPostFiner, 0.0, kTgPostCoarsest);
-    return float3(disc.uv + pixels * disc.pixel, level);
+    return float2(cos(2.0 * kTgPi * turn), sin(2.0 * kTgPi * turn));
+}
+
+// Direction of the next sample.
+float2 tgPostNext(float2 way)
+{
+    return float2(way.x * kTgPostTurn.x - way.y * kTgPostTurn.y, way.x * kTgPostTurn.y + way.y * kTgPostTurn.x);
+}
+
+// Where the sample in this direction reads: uv, and the level that is as coarse as the samples are far apart.
+float3 tgPostTarget(TgPostDisc disc, float4 tap, float2 way)
+{
+    float2 at = tap.w * way;
+    float2 uv = disc.uv + float2(at.x * disc.steps.x + at.y * disc.steps.y, at.y * disc.steps.z);
+    return float3(uv, floor(clamp(0.5 * log2(max(tap.x, 1e-9)) + disc.level, 0.0, kTgPostCoarsest) + 0.5));
 }
 
 // The sum over the samples, and over their weights.
@@ -271,8 +280,12 @@ struct TgPostSum
 void tgPostAdd(inout TgPostSum sum, TgPostView view, TgPostDisc disc, float4 gaussians[6], float4 tap, float2 at, float4 lit, float2 deep)
 {
     float there = deep.x / max(deep.y, 1e-6);
-    float3 apart = tgPostPlace(view, at, there) - disc.here;
-    float bigger = tgPostSpread(view, there) * disc.pixel.x * disc.pixel.y / disc.area;
+    float2 u = view.originU.xy + there * view.rayU.xy;
+    float2 v = view.originV.xy + there * view.rayV.xy;
+    float2 way = at - disc.uv;
+    float deeper = there - disc.z;
+    float3 apart = float3(way.x * u + way.y * v + deeper * disc.ray, deeper);
+    float bigger = abs(u.x * v.y - u.y * v.x) * disc.share;
     float3 weight = tap.rgb * tgPostReflectance(gaussians, dot(apart, apart)) * bigger;
     sum.light += weight * lit.rgb;
     sum.weight += weight * lit.a;
@@ -298,6 +311,7 @@ float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAM
     float count, TgPostView view, TgPostDisc disc, float3 own, float turn)
 {
     TgPostSum sum = (TgPostSum)0;
+    float2 way = tgPostFirst(turn);
     [loop] for (float i = 0.0; i < count; i += 1.0)
     {
         float4 tap = tgPostTapOf(TG_SAMPLER2D_ARG(kernels), row, i);
@@ -305,11 +319,12 @@ float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAM
             sum.inner = tap.w;
         else
         {
-            float3 target = tgPostTarget(disc, tap, i, turn);
+            float3 target = tgPostTarget(disc, tap, way);
             float4 lit = TG_TEX2DLOD(light, float4(target.xy, 0.0, target.z));
             float2 deep = TG_TEX2DLOD(depth, float4(target.xy, 0.0, target.z)).xy;
             tgPostAdd(sum, view, disc, gaussians, tap, target.xy, lit, deep);
         }
+        way = tgPostNext(way);
     }
     return tgPostMean(sum, gaussians, own);
 }

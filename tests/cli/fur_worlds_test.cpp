@@ -252,3 +252,39 @@ TEST(FurLight, of_fibres_is_the_same_from_all_sides) {
     EXPECT_GT(least, 0);
     EXPECT_LT(most / least, 1.03) << "brightest and darkest of " << kViews << " directions";
 }
+
+TEST(FurLight, enters_no_coat_where_its_front_gapes) {
+    // A tube without ends: the coat's outer surface has a gap all around its upper border, through which the light sees the far side.
+    std::string tube;
+    std::string faces;
+    constexpr int kSectors = 24;
+    constexpr int kRows = 6;
+    for (int row = 0; row <= kRows; ++row)
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const double angle = 2 * 3.14159265358979 * sector / kSectors;
+            tube += fmt::format("v {:.6f} {} {:.6f}\nvn {:.6f} 0 {:.6f}\nvt {:.6f} {:.6f}\n", 50 * std::cos(angle), 50 * row,
+                                50 * std::sin(angle), std::cos(angle), std::sin(angle), static_cast<double>(sector) / kSectors,
+                                static_cast<double>(row) / kRows);
+            const int here = row * kSectors + sector + 1;
+            const int next = row * kSectors + (sector + 1) % kSectors + 1;
+            if (row < kRows)
+                faces += fmt::format("f {0}/{0}/{0} {2}/{2}/{2} {1}/{1}/{1}\nf {1}/{1}/{1} {2}/{2}/{2} {3}/{3}/{3}\n", here, next,
+                                     here + kSectors, next + kSectors);
+        }
+    const std::string mesh = write("tube.obj", tube + faces);
+    constexpr int kSize = 128;
+    const Image picture = render("tube", {"effects/FurCoat.fx", "--mesh", mesh, "--unit-mm", "1", "--size",
+                                          fmt::format("{}x{}", kSize, kSize), "-D", "TEGUMENT_MAP_SIZE=512"})
+                              .image;
+    const auto mean = [&](int top, int bottom) {
+        double sum = 0;
+        for (int y = top; y < bottom; ++y)
+            for (int x = kSize * 2 / 5; x < kSize * 3 / 5; ++x)
+                sum += static_cast<double>(picture.pixels[static_cast<std::size_t>((y * kSize + x) * picture.channels)]);
+        return sum / (bottom - top);
+    };
+    const double border = mean(kSize / 8, kSize / 6);
+    const double below = mean(kSize / 3, kSize / 2);
+    EXPECT_GT(below, 0);
+    EXPECT_NEAR(border / below, 1, 0.6) << "1.35, for less of the coat stands above; lit through the gap: 2.5";
+}

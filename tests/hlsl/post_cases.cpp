@@ -189,12 +189,11 @@ void profiles(Cases& cases) {
 
 void sums(Cases& cases) {
     const std::string disc = kView + "TgPostDisc disc = tgPostDisc(view, float2(0.4, 0.6), texel, 50.0, a0); ";
-    const std::string flat =
-        "TgPostDisc disc = (TgPostDisc)0; disc.uv = float2(0.4, 0.6); disc.pixel = float2(0.01, 0.02); disc.wide = 0.5; "
-        "disc.rise = float2(0.1, 0.8); disc.area = 0.4; ";
+    const std::string flat = "TgPostDisc disc = (TgPostDisc)0; disc.uv = float2(0.4, 0.6); disc.steps = float3(0.02, -0.003, 0.025); "
+                             "disc.level = -0.5; ";
     struct Disc {
         double area, wide;
-        dvec2 rise;
+        dvec2 rise; // of a row, along the axes
         explicit Disc(const dvec2& slope) {
             const dvec3 right = tangent({0.4, 0.6}, {kPixel.x, 0}, 50, slope.x);
             const dvec3 down = tangent({0.4, 0.6}, {0, kPixel.y}, 50, slope.y);
@@ -204,11 +203,15 @@ void sums(Cases& cases) {
             rise = {dot(down, axisU), dot(down, cross(cross(right, down) / area, axisU))};
         }
     };
-    cases += post({"tgPostDisc", disc + "return float4(disc.area, disc.wide, disc.rise);"}, {linear(-1, 1, 2)},
-                  {64, 64, 1e-5, "products of vectors"}, [](In x) {
-                      const Disc d(x.vec2(0));
-                      return values(d.area, d.wide, d.rise.x, d.rise.y);
-                  });
+    const Tolerance products{64, 64, 1e-5, "products of vectors"};
+    cases += post({"tgPostDisc", disc + "return float4(disc.area, disc.share, disc.level, 0);"}, {linear(-1, 1, 2)}, products, [](In x) {
+        const Disc d(x.vec2(0));
+        return values(d.area, kPixel.x * kPixel.y / d.area, -0.5 * log2(d.area) - 1, 0);
+    });
+    cases += post({"tgPostDisc", disc + "return float4(disc.steps, 0);"}, {linear(-1, 1, 2)}, products, [](In x) {
+        const Disc d(x.vec2(0));
+        return values(kPixel.x / d.wide, -d.rise.x / d.rise.y * kPixel.x / d.wide, kPixel.y / d.rise.y, 0);
+    });
     cases += post(
         {"tgPostWithin", "TgPostDisc disc = (TgPostDisc)0; disc.area = a0; return tgPostWithin(disc, float4(0, 0, 0, a1)) ? 1.0 : 0.0;"},
         {linear(0.1, 2), linear(0, 1)}, [](In x) {
@@ -216,16 +219,25 @@ void sums(Cases& cases) {
             return values(within, within, within, within);
         });
     cases.back().domain = [](In x) { return abs(kPi * x[1] * x[1] - 0.5 * x[0]) > 1e-4; };
-    cases += post({"tgPostTarget", flat + "return float4(tgPostTarget(disc, float4(a0, 0, 0, a1), a2, 0.25), 0);"},
-                  {logarithmic(0.1, 100), linear(0, 10), whole(0, 23)}, {64, 16, 5e-5, "an angle of up to 60 radians in float"}, [](In x) {
-                      const double angle = kPi * (3 - sqrt(5.0)) * round(x[2]) + 0.5 * kPi;
-                      const dvec2 way = x[1] * dvec2(cos(angle), sin(angle));
-                      const double down = way.y / 0.8;
-                      const double right = (way.x - down * 0.1) / 0.5;
-                      const double level = std::clamp(0.5 * log2(x[0] / 0.4) - 1, 0.0, 6.0);
-                      return values(0.4 + right * kPixel.x, 0.6 + down * kPixel.y, level);
+    cases += post("tgPostFirst(a0)", {linear(0, 1)}, [](In x) { return values(cos(2 * kPi * x[0]), sin(2 * kPi * x[0])); });
+    cases += post(
+        {"tgPostNext",
+         "float2 way = float2(1.0, 0.0); [loop] for (float i = 0.0; i < a0; i += 1.0) way = tgPostNext(way); return float4(way, 0, 0);"},
+        {whole(0, 63)}, {64, 16, 2e-5, "up to 63 turns, each rounded to 24 bits"}, [](In x) {
+            const double angle = kPi * (3 - sqrt(5.0)) * round(x[0]);
+            return values(cos(angle), sin(angle));
+        });
+    cases.back().domain = [](In x) { return x[0] >= 0; };
+    cases += post({"tgPostTarget", flat + "return float4(tgPostTarget(disc, float4(a0, 0, 0, a1), a2), 0);"},
+                  {logarithmic(0.1, 100), linear(0, 10), linear(-1, 1, 2)}, [](In x) {
+                      const dvec2 at = x[1] * x.vec2(2);
+                      const double level = round(std::clamp(0.5 * log2(x[0]) - 0.5, 0.0, 6.0));
+                      return values(0.4 + 0.02 * at.x - 0.003 * at.y, 0.6 + 0.025 * at.y, level);
                   });
-    cases.back().domain = [](In x) { return x[0] > 1e-3 && abs(x[1]) < 20 && x[2] >= 0; };
+    cases.back().domain = [](In x) {
+        const double level = 0.5 * log2(x[0]) - 0.5;
+        return x[0] > 1e-3 && abs(level + 0.5 - round(level + 0.5)) > 1e-4;
+    };
     cases +=
         post({"tgPostAdd",
               kView + kGaussians +

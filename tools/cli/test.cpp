@@ -322,8 +322,7 @@ void addTest(CLI::App& program, Action& action) {
         ->check(CLI::Range(1U, 1U << 28U))
         ->capture_default_str();
     command->add_flag("--errors", arguments->errors, "Print how far the values of each tgNear were off: largest errors, and shares by ulp");
-    command->add_option("--reference", arguments->reference, "What tgReference asks: functions in Python (.py), or in a shared library")
-        ->check(CLI::ExistingFile);
+    command->add_option("--reference", arguments->reference, "Python (.py) or a library: what tgReference asks")->check(CLI::ExistingFile);
     command->add_option("--coverage", arguments->coverage, "Print which lines and branches ran, and write them for LCOV (.info)");
     command->add_option("--mutate", arguments->mutants,
                         "Change so many constants and operators, one at a time; print those that no test notices");

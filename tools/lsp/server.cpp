@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace tegument::lsp {
 
@@ -205,10 +206,7 @@ void Server::read(const std::string& path) {
 
 void Server::idle() {
     for (auto& [path, unit] : units_) {
-        if (unit.untested) {
-            unit.untested = false;
-            return publish(path, unit, options_.test(path));
-        }
+        if (std::exchange(unit.untested, false)) return publish(path, unit, options_.test(path));
         if (!unit.stale) continue;
         unit.stale = false;
         unit.compiled = compile(*unit.effect);

@@ -229,7 +229,6 @@ void tgTestBetween(uint site, TgTestValue value, TgTestValue low, TgTestValue hi
 }
 
 uint tgTestPlace(uint property) { return tgTestValuesAt + (property * tgTestCases + tgCase) * kTgTestProperty; }
-
 void tgTestRecord(uint property, TgTestValue value, float most)
 {
     if (tgTestSilent) return;

@@ -287,8 +287,7 @@ std::optional<DeclarationReader::Input> DeclarationReader::input(const Tokens& t
                                             text(1), components == 1 ? "" : std::to_string(components), units)};
     }
     fail(word, fmt::format("{} cannot be read", word.text),
-         "tgCases(values), tgRange(low, high, count), tgRandom(low, high), tgRandom(low, high, count), tgTable(\"file.csv\", column) or "
-         "tgReference(\"name\", inputs)");
+         "tgCases(values), tgRange(low, high, count), tgRandom(low, high), tgTable(\"file.csv\", column) or tgReference(\"name\", x)");
 }
 
 std::optional<Error> DeclarationReader::finish(Test& test) const {

@@ -429,7 +429,81 @@ TEST(ShaderTests, CoverageNamesLinesThatDidNotRun) {
     expectPassed(ran);
     EXPECT_NE(ran.out.find("4 of 5"), std::string::npos) << ran.out;
     const std::string info = read(out("covered.info"));
-    EXPECT_NE(info.find("covered.hlsl\nDA:3,2\nDA:4,1\nDA:5,1\nDA:6,0\nDA:7,1\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("covered.hlsl\nBRDA:3,0,0,1\nBRDA:3,0,1,1\nBRDA:5,0,0,0\nBRDA:5,0,1,1\nBRF:4\nBRH:3\n"
+                        "DA:3,2\nDA:4,1\nDA:5,1\nDA:6,0\nDA:7,1\n"),
+              std::string::npos)
+        << info;
+}
+
+TEST(ShaderTests, CoverageNamesBranchesThatWentOneWay) {
+    (void)write("sides.hlsl", R"(float f(float x, int n)
+{
+    if (x < 0) return 0;
+    float y = x > 10 ? 10 : x;
+    float3 z = x > 1.5 ? 1.0 : (n == 2 ? 2.0 : 3.0);
+    for (int i = 0; i < n; i++) y += z.x;
+    return y;
+}
+)");
+    const Ran ran = run("sides.test.hlsl", R"(#include "sides.hlsl"
+TG_TEST(t) { float x = tgCases(1, 5); int n = tgCases(0, 2); tgTrue(f(x, n) > 0); }
+)",
+                        {"--coverage", out("sides.info")});
+    expectPassed(ran);
+    EXPECT_NE(ran.out.find("8 of 10"), std::string::npos) << ran.out;
+    const std::string info = read(out("sides.info"));
+    EXPECT_NE(info.find("sides.hlsl\nBRDA:3,0,0,0\nBRDA:3,0,1,4\nBRDA:4,0,0,0\nBRDA:4,0,1,4\nBRDA:5,0,0,2\nBRDA:5,0,1,2\nBRDA:5,1,0,1\n"
+                        "BRDA:5,1,1,1\nBRDA:6,0,0,4\nBRDA:6,0,1,4\nBRF:10\nBRH:8\n"),
+              std::string::npos)
+        << info;
+}
+
+TEST(ShaderTests, ReferenceInPythonIsAskedWithTheInputs) {
+    const std::string python = write("refs.py", R"(import math
+def mixed(v, w):
+    return [math.exp(x) * w for x in v]
+def wrong(x):
+    return (x, x)
+)");
+    const std::string text = R"(TG_TEST(mixes)
+{
+    float2 v = tgRandom(-1, 1, 40);
+    float w = tgCases(1, 2);
+    float2 expected = tgReference("mixed", v, w);
+    float twice = tgReference("half", expected.x * 2.0);
+    tgNear(exp(v) * w, expected, tgUlp(8));
+    tgEqual(twice, expected.x);
+}
+)";
+    std::string half = read(python) + "half = lambda x: x / 2\n";
+    expectPassed(run("reference.test.hlsl", text, {"--reference", write("refs.py", half), "--validate"}));
+    const Ran missing = run("reference.test.hlsl", text);
+    expectSaid(missing, kInput, {"reference.test.hlsl(5,23)", "TG8206", "--reference refs.py"});
+    const json found =
+        failures("off.test.hlsl", "TG_TEST(off) { float x = tgCases(2, 3); float y = tgReference(\"half\", x); tgEqual(x, y + 1); }\n",
+                 {"--reference", python});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0]["values"]["y"], "1.5");
+    expectSaid(run("wrong.test.hlsl", "TG_TEST(t) { float x = tgCases(2); float y = tgReference(\"wrong\", x); tgEqual(x, y); }\n",
+                   {"--reference", python}),
+               kInput, {"TG8206", "wrong returns 2 numbers"});
+    expectSaid(run("absent.test.hlsl", "TG_TEST(t) { float x = tgCases(2); float y = tgReference(\"absent\", x); tgEqual(x, y); }\n",
+                   {"--reference", python}),
+               kInput, {"TG8206", "absent", "KeyError"});
+}
+
+TEST(ShaderTests, ReferenceInALibraryIsCalled) {
+    const std::string source =
+        write("refs.cpp", "extern \"C\" void product(const double* a, double* r) { r[0] = a[0] * a[2]; r[1] = a[1] * a[2]; }\n");
+    const std::string library = out("librefs.so");
+    if (std::system(("c++ -shared -fPIC " + source + " -o " + library + " 2> /dev/null").c_str()) != 0)
+        GTEST_SKIP() << "there is no compiler";
+    const std::string text =
+        "TG_TEST(t) { float2 v = tgCases(float2(2, 3)); float2 p = tgReference(\"product\", v, 1.5); tgEqual(v * 1.5, p); }\n";
+    expectPassed(run("library.test.hlsl", text, {"--reference", library}));
+    expectSaid(run("library.test.hlsl", "TG_TEST(t) { float x = tgCases(2); float y = tgReference(\"sum\", x); tgEqual(x, y); }\n",
+                   {"--reference", library}),
+               kInput, {"TG8206", "no function sum"});
 }
 
 TEST(ShaderTests, MutantThatNoTestNoticesIsNamed) {

@@ -2,7 +2,7 @@
 
 namespace tegument::test {
 
-std::vector<FunctionCase> allCases() {
+Cases allCases() {
     return together(specularCases(), lightCases(), softShadowCases(), surfaceCases(), workspaceCases(), shadowCases(), gaussianCases(),
                     poissonCases(), scatterCases(), postCases(), pyramidCases(), cullCases(), furCases(), furRootsCases(), furRibbonCases(),
                     peerScreenCases(), peerDiscCases(), peerTableCases(), lockCases(), lockLightCases(), ribbonPassCases(),

@@ -36,7 +36,7 @@ struct Grid {
           quad(perQuad ? 2 : 1) {}
 };
 
-std::string argumentCode(const std::vector<Argument>& arguments) {
+std::string argumentCode(const Arguments& arguments) {
     std::string code;
     int at = 0;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -65,8 +65,8 @@ Texture2D gTestMap;
 TG_SAMPLER2D(gTest, POINT, CLAMP);
 )";
 
-std::vector<std::pair<std::string, std::string>> definesOf(const FunctionCase& function, int setting) {
-    std::vector<std::pair<std::string, std::string>> defines = {{"TEGUMENT_SETTING", std::to_string(setting)}};
+Defines definesOf(const FunctionCase& function, int setting) {
+    Defines defines = {{"TEGUMENT_SETTING", std::to_string(setting)}};
     const auto isSize = [](const auto& define) { return define.first == "TEGUMENT_MAP_SIZE"; };
     if (std::ranges::none_of(function.defines, isSize)) defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize));
     defines.insert(defines.end(), function.defines.begin(), function.defines.end());
@@ -92,7 +92,16 @@ Result<std::string> source(const FunctionCase& function, int setting) {
     return storesAsVariables(effect->code);
 }
 
+/// Of up to four numbers.
+constexpr const char* kFour = R"(
+float4 tgFour(float v) { return float4(v, 0.0, 0.0, 0.0); }
+float4 tgFour(float2 v) { return float4(v, 0.0, 0.0); }
+float4 tgFour(float3 v) { return float4(v, 0.0); }
+float4 tgFour(float4 v) { return v; }
+)";
+
 std::string pixelShader(std::string code, const FunctionCase& function, const Samples& samples, const Grid& grid) {
+    code += kFour;
     code += "Texture2D gInputMap;\nfloat4 call(float values[";
     code += fmt::format("{}], float2 pixel)\n{{\n{}    {}\n}}\n", grid.texels * 4, argumentCode(function.arguments), function.body);
     code += fmt::format(R"(
@@ -460,14 +469,14 @@ private:
 
 } // namespace
 
-glm::dvec4 TestMap::texel(int x, int y) const {
+dvec4 TestMap::texel(int x, int y) const {
     const auto column = static_cast<std::size_t>(glm::clamp(x, 0, size - 1));
     const auto row = static_cast<std::size_t>(glm::clamp(y, 0, rows() - 1));
     const auto& t = texels[row * static_cast<std::size_t>(size) + column];
     return {t[0], t[1], t[2], t[3]};
 }
 
-glm::dvec4 TestMap::at(glm::dvec2 uv) const {
+dvec4 TestMap::at(dvec2 uv) const {
     const auto place = [](double x, int count) { return static_cast<int>(std::floor(glm::clamp(x, -1.0, 2.0) * count)); };
     return texel(place(uv.x, size), place(uv.y, rows()));
 }

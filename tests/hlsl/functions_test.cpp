@@ -17,23 +17,23 @@ using namespace tegument::test;
 
 namespace {
 
-struct Call {
+struct Trial {
     const FunctionCase* function = nullptr;
     int setting = 2;
     Compiler compiler = Compiler::Dxc;
 };
 
-void PrintTo(const Call& call, std::ostream* out) {
+void PrintTo(const Trial& call, std::ostream* out) {
     *out << call.function->function << ", setting " << call.setting << ", " << compilerName(call.compiler);
 }
 
-const std::vector<FunctionCase>& cases() {
-    static const std::vector<FunctionCase> kCases = allCases();
+const Cases& cases() {
+    static const Cases kCases = allCases();
     return kCases;
 }
 
-std::vector<Call> calls() {
-    std::vector<Call> all;
+std::vector<Trial> calls() {
+    std::vector<Trial> all;
     for (const FunctionCase& function : cases())
         for (int setting : function.settings)
             for (Compiler compiler : {Compiler::Dxc, Compiler::Glslang})
@@ -41,7 +41,7 @@ std::vector<Call> calls() {
     return all;
 }
 
-std::string nameOf(const Call& call) {
+std::string nameOf(const Trial& call) {
     static const std::array<const char*, 3> kSettings = {"seed", "deon2007", "corrected"};
     const auto place = std::to_string(call.function - cases().data()); // several cases may test one function
     return fmt::format("{}_{}_{}_{}", call.function->function, place, kSettings.at(static_cast<std::size_t>(call.setting)),
@@ -56,7 +56,7 @@ Result<gpu::Device>& device() {
 /// Rows of docs/design/reference.md, written where TEGUMENT_FUNCTION_TABLE says.
 class Table : public testing::Environment {
 public:
-    void add(const Call& call, const Samples& samples, const Verdict& verdict) {
+    void add(const Trial& call, const Samples& samples, const Verdict& verdict) {
         const auto worst = samples.list(verdict.ulp.list);
         rows_.insert(fmt::format("| `{}` | {} | {} | {} | {:.2g} | {:.2g} | {:.3g} | {} |", call.function->function,
                                  call.setting == 0   ? "seed"
@@ -87,9 +87,9 @@ Table& table() {
 
 const Table& kRegisteredBeforeMain = table();
 
-class Functions : public testing::TestWithParam<Call> {};
+class Functions : public testing::TestWithParam<Trial> {};
 
-void expectWithinTolerance(const Call& call, const Samples& samples, const Evaluated& evaluated, const Verdict& verdict) {
+void expectWithinTolerance(const Trial& call, const Samples& samples, const Evaluated& evaluated, const Verdict& verdict) {
     const FunctionCase& function = *call.function;
     if (!verdict.notFinite.empty())
         ADD_FAILURE() << verdict.notFinite.size() << " results are not finite although their arguments are, first: "
@@ -110,7 +110,7 @@ void expectWithinTolerance(const Call& call, const Samples& samples, const Evalu
 
 TEST_P(Functions, are_what_double_precision_says) {
     if (!device()) GTEST_SKIP() << format(device().error());
-    const Call& call = GetParam();
+    const Trial& call = GetParam();
     if (!compilerAvailable(call.compiler)) GTEST_SKIP() << compilerName(call.compiler) << " is not available";
     const Samples samples = makeSamples(*call.function);
     const std::size_t before = device()->validationMessages().size();

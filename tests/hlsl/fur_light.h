@@ -5,7 +5,6 @@
 #include "tests/hlsl/fur_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace tegument::test {
@@ -20,22 +19,22 @@ inline constexpr double kFurMirrored = 0.08;
 inline constexpr double kFurSharpness = 40;
 inline constexpr double kFurDense = 1.2;
 inline constexpr double kFurRootRadius = 0.3; // of a root, spacings
-inline const glm::dvec3 kFurCentre = {3, -5, 7};
-inline const glm::dvec3 kFurDown = {0.6, -0.8, 0};
-inline const glm::dvec3 kFurEye = {100, -200, 250};
-inline const glm::dvec3 kFurDark = {0.16, 0.085, 0.04};
-inline const glm::dvec3 kFurPale = {0.72, 0.52, 0.33};
-inline const glm::dvec3 kFurAround = {0.1, 0.2, 0.3};
+inline const dvec3 kFurCentre = {3, -5, 7};
+inline const dvec3 kFurDown = {0.6, -0.8, 0};
+inline const dvec3 kFurEye = {100, -200, 250};
+inline const dvec3 kFurDark = {0.16, 0.085, 0.04};
+inline const dvec3 kFurPale = {0.72, 0.52, 0.33};
+inline const dvec3 kFurAround = {0.1, 0.2, 0.3};
 
 /// A quarter turn about z, twice as large, and moved.
-inline glm::dvec3 furTurned(const glm::dvec3& v) {
+inline dvec3 furTurned(const dvec3& v) {
     return {-v.y, v.x, v.z};
 }
-inline glm::dvec3 furTurnedBack(const glm::dvec3& v) {
+inline dvec3 furTurnedBack(const dvec3& v) {
     return {v.y, -v.x, v.z};
 }
-inline glm::dvec3 furWorld(const glm::dvec3& v) {
-    return 2.0 * furTurned(v) + glm::dvec3(7, 8, 9);
+inline dvec3 furWorld(const dvec3& v) {
+    return 2.0 * furTurned(v) + dvec3(7, 8, 9);
 }
 
 inline Globals furScene() {
@@ -59,31 +58,31 @@ inline Globals furScene() {
 }
 
 inline double share(double x) {
-    return std::clamp(x, 0.0, 1.0);
+    return saturate(x);
 }
 
 /// Three lamps of parallel light: where they come from, and their colours.
-inline const std::array<glm::dvec3, 3> kFurLampWays = {glm::dvec3(0.6, 0, 0.8), glm::dvec3(-0.36, 0.48, 0.8), glm::dvec3(0, -0.8, 0.6)};
-inline const std::array<glm::dvec3, 3> kFurLampColours = {glm::dvec3(0.5, 0.6, 0.7), glm::dvec3(0.3, 0.2, 0.1), glm::dvec3(0.2, 0.4, 0.9)};
+inline const std::array<dvec3, 3> kFurLampWays = {dvec3(0.6, 0, 0.8), dvec3(-0.36, 0.48, 0.8), dvec3(0, -0.8, 0.6)};
+inline const std::array<dvec3, 3> kFurLampColours = {dvec3(0.5, 0.6, 0.7), dvec3(0.3, 0.2, 0.1), dvec3(0.2, 0.4, 0.9)};
 
 inline void addLamps(FunctionCase& made) {
     made.defines.emplace_back("TEGUMENT_LAMPS", "3");
     made.defines.emplace_back("TEGUMENT_LAMP_SHADOWS", "0");
-    for (const glm::dvec3& way : kFurLampWays)
+    for (const dvec3& way : kFurLampWays)
         made.globals["gLampPlace"].insert(made.globals["gLampPlace"].end(), {way.x, way.y, way.z, 0});
-    for (const glm::dvec3& colour : kFurLampColours)
+    for (const dvec3& colour : kFurLampColours)
         made.globals["gLampColor"].insert(made.globals["gLampColor"].end(), {colour.x, colour.y, colour.z, 0});
     made.globals["gLampAxis"] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
     made.globals["gLampSpot"] = {-1, -2, 1, 1, -1, -2, 1, 1, -1, -2, 1, 1};
 }
 
 /// Of strands of this albedo in light of colour 1: what they scatter, and what the cone of mirrors around them sends to the eye.
-inline glm::dvec3 strandsLit(const glm::dvec3& albedo, const glm::dvec3& strand, const glm::dvec3& toLight, const glm::dvec3& toEye) {
-    const double light = std::asin(std::clamp(glm::dot(strand, toLight), -1.0, 1.0));
-    const double eye = std::asin(std::clamp(glm::dot(strand, toEye), -1.0, 1.0));
-    const glm::dvec3 diffuse = albedo * std::cos(light) * (kFurMultiple + (1 - kFurMultiple) / std::numbers::pi);
-    const double cone = std::pow(std::max(std::cos(light + eye), 0.0), kFurSharpness);
-    const double mirrored = std::cos(light) * cone * 0.5 * std::sqrt((kFurSharpness + 2.0 / 3) / (2 * std::numbers::pi));
+inline dvec3 strandsLit(const dvec3& albedo, const dvec3& strand, const dvec3& toLight, const dvec3& toEye) {
+    const double light = asin(std::clamp(dot(strand, toLight), -1.0, 1.0));
+    const double eye = asin(std::clamp(dot(strand, toEye), -1.0, 1.0));
+    const dvec3 diffuse = albedo * cos(light) * (kFurMultiple + (1 - kFurMultiple) / std::numbers::pi);
+    const double cone = pow(max(cos(light + eye), 0.0), kFurSharpness);
+    const double mirrored = cos(light) * cone * 0.5 * sqrt((kFurSharpness + 2.0 / 3) / (2 * std::numbers::pi));
     return (1 - kFurMirrored) * diffuse + kFurMirrored * mirrored;
 }
 
@@ -91,23 +90,23 @@ inline glm::dvec3 strandsLit(const glm::dvec3& albedo, const glm::dvec3& strand,
 inline double wayThroughCoat(double height, double cosine) {
     const double radius = 1 + height * kFurLength;
     const double across = (1 - cosine * cosine) * radius * radius;
-    return (std::sqrt(std::max(std::pow(1 + kFurLength, 2) - across, 0.0)) - radius * cosine) / kFurLength;
+    return (sqrt(max(pow(1 + kFurLength, 2) - across, 0.0)) - radius * cosine) / kFurLength;
 }
 
 /// Share of the light that the coat above leaves.
 inline double coatLeaves(double height, double cosine) {
-    return std::exp(-kFurDense * wayThroughCoat(height, cosine) * std::sqrt(std::max(1 - cosine * cosine, 0.0)));
+    return exp(-kFurDense * wayThroughCoat(height, cosine) * sqrt(max(1 - cosine * cosine, 0.0)));
 }
 
 /// What light from all sides leaves of white.
 inline double coatFilled(double height) {
-    return std::exp(-kFurDense * (1 - height)) * (0.5 + 0.5 * kFurMultiple);
+    return exp(-kFurDense * (1 - height)) * (0.5 + 0.5 * kFurMultiple);
 }
 
 /// Of strands in the coat, under the light of the workspace and light from all sides. No surface throws a shadow.
-inline glm::dvec3 strandsInCoat(const glm::dvec3& albedo, const glm::dvec3& strand, const glm::dvec3& normal, const glm::dvec3& toLight,
-                                const glm::dvec3& toEye, double height) {
-    const double open = coatLeaves(height, glm::dot(normal, toLight));
+inline dvec3 strandsInCoat(const dvec3& albedo, const dvec3& strand, const dvec3& normal, const dvec3& toLight, const dvec3& toEye,
+                           double height) {
+    const double open = coatLeaves(height, dot(normal, toLight));
     return strandsLit(albedo, strand, toLight, toEye) * kFurColour * open + albedo * kFurAround * coatFilled(height);
 }
 
@@ -116,21 +115,21 @@ inline double meanStrandRadius(double height, double shortest) {
     constexpr int kLengths = 400;
     double sum = 0;
     for (int i = 0; i < kLengths; ++i)
-        sum += std::max(1 - height / (shortest + (1 - shortest) * (i + 0.5) / kLengths), 0.0);
+        sum += max(1 - height / (shortest + (1 - shortest) * (i + 0.5) / kLengths), 0.0);
     return kFurRootRadius * sum / kLengths;
 }
 
 /// What is met, and what a ray meets on average of such strands between two heights. x: coverage; y to w: its shares as in MetPiece.
-inline glm::dvec4 strandsExpected(const glm::dvec4& met, double density, double shortest, const glm::dvec2& heights, double beyond) {
-    const glm::dvec2 r(meanStrandRadius(heights.x, shortest), meanStrandRadius(heights.y, shortest));
+inline dvec4 strandsExpected(const dvec4& met, double density, double shortest, const dvec2& heights, double beyond) {
+    const dvec2 r(meanStrandRadius(heights.x, shortest), meanStrandRadius(heights.y, shortest));
     const double swept = (r.x + r.y) * beyond + std::numbers::pi * (r.y * r.y - r.x * r.x);
     // Weights of the ends where the width changes evenly: twice the own radius and once the other.
     const double height = ((2 * r.x + r.y) * heights.x + (2 * r.y + r.x) * heights.y) / (3 * (r.x + r.y) + 1e-4);
-    return met + (1 - met.x) * (1 - std::exp(-density * swept)) * glm::dvec4(1, height, share(2 * height / (1 + shortest)), 1);
+    return met + (1 - met.x) * (1 - exp(-density * swept)) * dvec4(1, height, share(2 * height / (1 + shortest)), 1);
 }
 
-inline double furFromLamp(const glm::dvec3& world) {
-    return kFurUnit * glm::length(kFurLamp - world);
+inline double furFromLamp(const dvec3& world) {
+    return kFurUnit * length(kFurLamp - world);
 }
 
 } // namespace tegument::test

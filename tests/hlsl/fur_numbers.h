@@ -1,10 +1,8 @@
 #pragma once
 // What several references of fur have in common: mixed whole numbers, and waves of period 1.
 
-#include <glm/glm.hpp>
+#include "tests/hlsl/function_case.h"
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace tegument::test {
@@ -25,11 +23,11 @@ inline Residues mixedWhole(const Residues& v) {
 }
 
 inline double wave(double x) {
-    const double t = std::abs(2 * (x - std::floor(x)) - 1);
+    const double t = abs(2 * (x - floor(x)) - 1);
     return 2 * (3 * t * t - 2 * t * t * t) - 1;
 }
 
-inline glm::dvec3 waves(const glm::dvec3& x) {
+inline dvec3 waves(const dvec3& x) {
     return {wave(x.x), wave(x.y), wave(x.z)};
 }
 

@@ -3,13 +3,11 @@
 
 #include "tests/hlsl/pass_case.h"
 
-#include <cmath>
-
 namespace tegument::test {
 
-inline const glm::dvec3 kFurLamp = {20, -30, 300}; // the light of the workspace
-inline const glm::dvec3 kFurColour = {0.9, 0.8, 0.7};
-inline const double kFurPixel = 2 * std::tan(0.3) / 640; // at distance 1
+inline const dvec3 kFurLamp = {20, -30, 300}; // the light of the workspace
+inline const dvec3 kFurColour = {0.9, 0.8, 0.7};
+inline const double kFurPixel = 2 * tan(0.3) / 640; // at distance 1
 
 inline const Globals kFurView = {{"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400}},
                                  {"gLightViewProjection", {2.5, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, -1.2, -1, -50, 75, 350, 300}},
@@ -21,12 +19,12 @@ inline const Globals kFurView = {{"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0,
                                  {"gLightFar", {500}}};
 
 /// Where a place of the world is seen.
-inline glm::dvec4 furClip(const glm::dvec3& p) {
+inline dvec4 furClip(const dvec3& p) {
     return {p.x + 0.1 * p.y + 5, 0.2 * p.x + 1.5 * p.y + 7, -1.1 * p.z + 300, 0.3 * p.y - p.z + 400};
 }
 
 /// Likewise from the light.
-inline glm::dvec4 furLightClip(const glm::dvec3& p) {
+inline dvec4 furLightClip(const dvec3& p) {
     return {2.5 * (p.x - kFurLamp.x), 2.5 * (p.y - kFurLamp.y), 350 - 1.2 * p.z, kFurLamp.z - p.z};
 }
 

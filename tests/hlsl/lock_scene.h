@@ -12,18 +12,18 @@ inline constexpr double kLockMesh = 80;      // the mesh's radius
 inline constexpr double kLockLength = 0.06;  // of the coat, radii
 inline constexpr double kLockRadius = 0.002; // of a strand, radii
 inline constexpr double kLockAfar = 1.3;
-inline const glm::dvec3 kLockCentre = {3, -5, 7};
+inline const dvec3 kLockCentre = {3, -5, 7};
 
-inline const glm::dvec3 kLockRoot = {0.1, 0.07, 0.05};
-inline const glm::dvec3 kLockMid = {0.36, 0.22, 0.13};
-inline const glm::dvec3 kLockTip = {0.66, 0.47, 0.3};
-inline const glm::dvec3 kLockUnder = {0.27, 0.19, 0.14};
-inline const glm::dvec3 kLockPale = {0.8, 0.7, 0.58};
-inline const glm::dvec3 kLockGuards = {0.16, 0.105, 0.08};
-inline const glm::dvec3 kLockShort = {0.95, 0.88, 0.82};
-inline const glm::dvec3 kLockSky = {0.24, 0.28, 0.34};
-inline const glm::dvec3 kLockGround = {0.19, 0.15, 0.12};
-inline const glm::dvec3 kLockRim = {0.22, 0.23, 0.26};
+inline const dvec3 kLockRoot = {0.1, 0.07, 0.05};
+inline const dvec3 kLockMid = {0.36, 0.22, 0.13};
+inline const dvec3 kLockTip = {0.66, 0.47, 0.3};
+inline const dvec3 kLockUnder = {0.27, 0.19, 0.14};
+inline const dvec3 kLockPale = {0.8, 0.7, 0.58};
+inline const dvec3 kLockGuards = {0.16, 0.105, 0.08};
+inline const dvec3 kLockShort = {0.95, 0.88, 0.82};
+inline const dvec3 kLockSky = {0.24, 0.28, 0.34};
+inline const dvec3 kLockGround = {0.19, 0.15, 0.12};
+inline const dvec3 kLockRim = {0.22, 0.23, 0.26};
 
 inline const Globals kLockScene = {
     {"gWorld", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
@@ -73,36 +73,35 @@ inline const Globals kLockScene = {
     {"gCoatPainted", {0.3}},
 };
 
-[[nodiscard]] inline FunctionCase lock(const char* function, std::string body, std::vector<Argument> arguments,
-                                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
+[[nodiscard]] inline FunctionCase lock(Call call, Arguments arguments, Tolerance tolerance, Reference expected) {
     FunctionCase made =
-        passCase("FurCoat.fx", kLockScene, function, std::move(body), std::move(arguments), std::move(expected), std::move(tolerance));
+        passCase("FurCoat.fx", kLockScene, std::move(call), std::move(arguments), std::move(tolerance), std::move(expected));
     made.samples = 2048;
     return made;
 }
 
 /// In [0, 1), evenly: golden numbers of a root's column and row in the texture of roots, which is 4,096 wide.
 inline double rootRank(double address) {
-    const double row = std::floor(address / 4096);
+    const double row = floor(address / 4096);
     const double sum = 0.6180340 * (address - 4096 * row) + 0.7548777 * row;
-    return sum - std::floor(sum);
+    return sum - floor(sum);
 }
 
 /// Numbers in (0, 1) of a strand of a lock.
-inline glm::dvec3 lockNumbers(double address, double child) {
+inline dvec3 lockNumbers(double address, double child) {
     const std::int64_t whole = std::llround(address);
     const Residues mixed = mixedWhole({whole % 4096, whole / 4096, 37 * std::llround(child) + 11});
-    return (glm::dvec3(static_cast<double>(mixed[0]), static_cast<double>(mixed[1]), static_cast<double>(mixed[2])) + 0.5) / 1019.0;
+    return (dvec3(static_cast<double>(mixed[0]), static_cast<double>(mixed[1]), static_cast<double>(mixed[2])) + 0.5) / 1019.0;
 }
 
 /// Others, made of those.
-inline glm::dvec3 lockMore(const glm::dvec3& random) {
-    return glm::fract(13.37 * glm::dvec3(random.z, random.x, random.y) + 7.91 * glm::dvec3(random.y, random.z, random.x));
+inline dvec3 lockMore(const dvec3& random) {
+    return fract(13.37 * dvec3(random.z, random.x, random.y) + 7.91 * dvec3(random.y, random.z, random.x));
 }
 
 /// Of half of a strand, half of them guard hairs: even to two thirds of its length, then a point.
 inline double lockRadius(double address, double child, bool under, double along) {
-    const glm::dvec3 random = lockNumbers(address, under ? child + 64 : child);
+    const dvec3 random = lockNumbers(address, under ? child + 64 : child);
     const double guard = !under && random.z <= 0.5 ? 1 : 0;
     const double own = (0.75 + 0.5 * lockMore(random).y) * (1 + 0.3 * guard - (under ? 0.25 : 0));
     return kLockRadius * kLockMesh * own * (1 - along * along * along);
@@ -115,9 +114,9 @@ struct LockShare {
     LockShare(double pixel, double thinnest, double strands, double number) {
         const double thin = 2 * kLockRadius * kLockMesh / (thinnest * pixel);
         share = 0.9 * std::clamp(thin, 0.33, 1.0);
-        begin = std::min({-1.75 * (thin - kLockAfar / thinnest), 1.05 * thin - 0.175, 0.35});
+        begin = min({-1.75 * (thin - kLockAfar / thinnest), 1.05 * thin - 0.175, 0.35});
         rank = number / strands;
-        width = std::clamp(8 - 8 * rank / share, 0.0, 1.0) * 8 / 7.5 / share;
+        width = saturate(8 - 8 * rank / share) * 8 / 7.5 / share;
     }
 };
 

@@ -15,17 +15,10 @@ using Globals = std::map<std::string, std::vector<double>>;
     return others;
 }
 
-[[nodiscard]] inline FunctionCase passCase(const char* effect, Globals globals, const char* function, std::string body,
-                                           std::vector<Argument> arguments, std::function<Values(const Inputs&)> expected,
-                                           Tolerance tolerance) {
-    return {.function = function,
-            .body = std::move(body),
-            .arguments = std::move(arguments),
-            .expected = std::move(expected),
-            .tolerance = std::move(tolerance),
-            .samples = 1024,
-            .globals = std::move(globals),
-            .effect = effect};
+[[nodiscard]] inline FunctionCase passCase(const char* effect, Globals globals, Call call, Arguments arguments, Tolerance tolerance,
+                                           Reference expected) {
+    return check(std::move(call), std::move(arguments), std::move(tolerance),
+                 {.samples = 1024, .globals = std::move(globals), .effect = effect}, std::move(expected));
 }
 
 /// The same number, or vector, for each of these parameters.
@@ -34,7 +27,7 @@ inline void setAll(FunctionCase& made, std::initializer_list<const char*> names,
         made.globals[name] = value;
 }
 
-[[nodiscard]] inline std::vector<double> numbersOf(const glm::dvec3& v) {
+[[nodiscard]] inline std::vector<double> numbersOf(const dvec3& v) {
     return {v.x, v.y, v.z};
 }
 

@@ -3,8 +3,6 @@
 
 #include "tests/hlsl/maps.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace tegument::test {
@@ -18,10 +16,10 @@ inline constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.236067977499789
 }
 
 /// The map's red is its depth, about 600: results are brought to where the other colours are, so that a tolerance means the same in all.
-inline const glm::dvec4 kScale(0.001, 1, 1, 1);
+inline const dvec4 kScale(0.001, 1, 1, 1);
 inline constexpr const char* kScaleCode = "float4(.001, 1, 1, 1) * ";
 
-inline const glm::dvec2 kFrustum(0.22, 0.11);
+inline const dvec2 kFrustum(0.22, 0.11);
 inline constexpr const char* kFrustumCode = "float2 f = float2(.22, .11); ";
 
 /// The rows of d'Eon and Luebke's table as HLSL, and as numbers.
@@ -30,12 +28,12 @@ inline constexpr const char* kGaussianRows =
     "float4(.113, .007, .007, .567), float4(.358, .004, 0, 1.99), float4(.078, 0, 0, 7.41)}; ";
 
 /// Place in view space of what is seen at uv.
-[[nodiscard]] inline glm::dvec3 viewPlace(const glm::dvec2& uv, double depth, const glm::dvec2& frustum) {
-    return depth * glm::dvec3((2 * uv.x - 1) * frustum.x, (1 - 2 * uv.y) * frustum.y, 1);
+[[nodiscard]] inline dvec3 viewPlace(const dvec2& uv, double depth, const dvec2& frustum) {
+    return depth * dvec3((2 * uv.x - 1) * frustum.x, (1 - 2 * uv.y) * frustum.y, 1);
 }
 
 /// Where it is seen.
-[[nodiscard]] inline glm::dvec2 viewUv(const glm::dvec3& place, const glm::dvec2& frustum) {
+[[nodiscard]] inline dvec2 viewUv(const dvec3& place, const dvec2& frustum) {
     return {0.5 + 0.5 * place.x / place.z / frustum.x, 0.5 - 0.5 * place.y / place.z / frustum.y};
 }
 
@@ -44,15 +42,15 @@ struct ScreenNoise {
     double inner = 0;
     double value = 0;
 
-    explicit ScreenNoise(const glm::dvec2& place) {
-        const glm::dvec2 pixel = glm::floor(place);
-        inner = glm::fract(0.06711056 * pixel.x + 0.00583715 * pixel.y);
-        value = glm::fract(52.9829189 * inner);
+    explicit ScreenNoise(const dvec2& place) {
+        const dvec2 pixel = floor(place);
+        inner = fract(0.06711056 * pixel.x + 0.00583715 * pixel.y);
+        value = fract(52.9829189 * inner);
     }
     [[nodiscard]] bool isClear() const { return inner > 1e-4 && inner < 1 - 1e-4 && value > 1e-3 && value < 1 - 1e-3; }
 };
 
 /// Along the surface by pixel: half of the way from the place before to the one behind, so that either direction has the same length.
-[[nodiscard]] glm::dvec3 pixelTangent(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);
+[[nodiscard]] dvec3 pixelTangent(const TestMap& map, const dvec2& uv, const dvec2& axis, const dvec2& frustum);
 
 } // namespace tegument::test

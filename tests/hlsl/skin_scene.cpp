@@ -2,16 +2,13 @@
 
 #include "lab/reference/specular.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace tegument::test {
 
 namespace {
 
-std::vector<double> rowsOf(const std::vector<glm::dvec4>& vectors) {
+std::vector<double> rowsOf(const std::vector<dvec4>& vectors) {
     std::vector<double> numbers;
-    for (const glm::dvec4& v : vectors)
+    for (const dvec4& v : vectors)
         numbers.insert(numbers.end(), {v.x, v.y, v.z, v.w});
     return numbers;
 }
@@ -43,21 +40,19 @@ Globals scene() {
 
 } // namespace
 
-TestMap rowOfTexels(const std::vector<glm::dvec4>& texels) {
+TestMap rowOfTexels(const std::vector<dvec4>& texels) {
     TestMap row{.size = static_cast<int>(texels.size()), .height = 1};
-    for (const glm::dvec4& t : texels)
+    for (const dvec4& t : texels)
         row.texels.push_back(texelOf(t));
     return row;
 }
 
-glm::dvec4 texelOfRow(const TestMap& row, double place) {
-    return row.texel(static_cast<int>(std::round(place)), 0);
+dvec4 texelOfRow(const TestMap& row, double place) {
+    return row.texel(static_cast<int>(round(place)), 0);
 }
 
-FunctionCase skinCase(const char* effect, const char* function, std::string body, std::vector<Argument> arguments,
-                      std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    FunctionCase made =
-        passCase(effect, scene(), function, std::move(body), std::move(arguments), std::move(expected), std::move(tolerance));
+FunctionCase skinCase(const char* effect, Call call, Arguments arguments, Tolerance tolerance, Reference expected) {
+    FunctionCase made = passCase(effect, scene(), std::move(call), std::move(arguments), std::move(tolerance), std::move(expected));
     made.samples = 512;
     made.maps["gEnergyAttenuationMap"] = oneTexel(kTableAlbedo - 0.05, 0.05);
     made.maps["gNormalMap"] = oneTexel(0.5, 0.5, 1, 1);
@@ -70,20 +65,20 @@ void addLightByLight(FunctionCase& made) {
         made.defines.emplace_back("gFinal" + std::string(number) + "Map", "gIrradiance" + std::string(number) + "Map");
 }
 
-glm::dvec3 skinColour(const glm::dvec3& albedo, double exponent) {
-    return glm::pow(glm::max(albedo, 1e-5), glm::dvec3(exponent));
+dvec3 skinColour(const dvec3& albedo, double exponent) {
+    return pow(max(albedo, 1e-5), dvec3(exponent));
 }
 
-glm::dvec3 enteringSkin(const glm::dvec3& albedo, double cosine, double shadow) {
-    return skinColour(albedo, kSkinMix) * kSkinLight * (std::clamp(cosine, 0.0, 1.0) * shadow * kSkinLeft);
+dvec3 enteringSkin(const dvec3& albedo, double cosine, double shadow) {
+    return skinColour(albedo, kSkinMix) * kSkinLight * (saturate(cosine) * shadow * kSkinLeft);
 }
 
-double mirrored(const glm::dvec3& normal, const glm::dvec3& toLight, const glm::dvec3& toEye, double roughness, double intensity) {
-    const glm::dvec3 h = toLight + toEye;
-    const glm::dvec3 halfway = h / std::max(glm::length(h), 1e-10);
-    const double ph = reference::beckmannPH(std::max(glm::dot(normal, halfway), 1e-3), roughness);
-    return std::clamp(glm::dot(normal, toLight), 0.0, 1.0) * intensity * ph *
-           reference::fresnelSchlick(glm::dot(toEye, halfway), kSkinFresnel0) / std::max(glm::dot(h, h), 1e-4);
+double mirrored(const dvec3& normal, const dvec3& toLight, const dvec3& toEye, double roughness, double intensity) {
+    const dvec3 h = toLight + toEye;
+    const dvec3 halfway = h / max(length(h), 1e-10);
+    const double ph = reference::beckmannPH(max(dot(normal, halfway), 1e-3), roughness);
+    return saturate(dot(normal, toLight)) * intensity * ph * reference::fresnelSchlick(dot(toEye, halfway), kSkinFresnel0) /
+           max(dot(h, h), 1e-4);
 }
 
 } // namespace tegument::test

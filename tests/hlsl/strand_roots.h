@@ -23,15 +23,14 @@ inline const TestMap& strandRootsMap() {
         map.texels[6] = texelOf(kStrandFirst, 4);
         for (std::size_t at = 4096; at < map.texels.size(); ++at) {
             const auto i = static_cast<double>(at);
-            map.texels[at] = texelOf(std::sin(i), std::cos(2 * i), 1.5, 0.4 + 0.2 * std::sin(3 * i));
+            map.texels[at] = texelOf(sin(i), cos(2 * i), 1.5, 0.4 + 0.2 * sin(3 * i));
         }
         return map;
     }();
     return kMap;
 }
 
-inline FunctionCase strandRootCase(const char* function, std::string body, std::vector<Argument> arguments,
-                                   std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
+inline FunctionCase strandRootCase(Call call, Arguments arguments, Tolerance tolerance, Reference expected) {
     static const TestMap kNone = oneTexel(0);
     const Globals more = {{"gFurRadius", {kFurRootRadius}},
                           {"gFurTurns", {1.3}},
@@ -43,8 +42,8 @@ inline FunctionCase strandRootCase(const char* function, std::string body, std::
                           {"gFurEdge", {0.4}},
                           {"gRibbonThin", {0.7}},
                           {"gCoatSegments", {6}}};
-    FunctionCase made = passCase("FurCoat.fx", with(furScene(), more), function, std::move(body), std::move(arguments), std::move(expected),
-                                 std::move(tolerance));
+    FunctionCase made =
+        passCase("FurCoat.fx", with(furScene(), more), std::move(call), std::move(arguments), std::move(tolerance), std::move(expected));
     made.map = &kNone;
     made.maps = {{"gFurRootsMap", &strandRootsMap()}};
     return made;

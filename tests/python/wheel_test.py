@@ -101,10 +101,12 @@ class Wheel(unittest.TestCase):
         return path
 
     def test_unit_tests_of_shaders_run(self):
-        tests = self.folder / "my.test.hlsl"
+        tests, references = self.folder / "my.test.hlsl", self.folder / "refs.py"
+        tests.write_text("TG_TEST(sum) { float x = tgCases(1, 1.5); float y = tgReference(\"times\", x); tgEqual(x + x, y); }\n", encoding="utf-8")
         for value, code in ((2, 0), (3, 1)):
-            tests.write_text("TG_TEST(sum) { float x = tgCases(1, 1); tgEqual(x + x, %d); }\n" % value, encoding="utf-8")
-            ran = subprocess.run([sys.executable, "-m", "tegument", "test", tests], capture_output=True, text=True, check=False)
+            references.write_text("import numpy\ndef times(x):\n    return numpy.float64(x) * %d\n" % value, encoding="utf-8")
+            ran = subprocess.run([sys.executable, "-m", "tegument", "test", tests, "--reference", references], capture_output=True, text=True,
+                                 check=False)
             self.assertEqual(ran.returncode, code, ran.stdout + ran.stderr)
 
     def test_bytes_to_look_at(self):

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <thread>
 
 namespace tegument::app {
@@ -33,6 +34,7 @@ struct TestArguments {
     std::string filter;
     std::string junit;
     std::string coverage;
+    std::string reference;
     std::size_t mutants = 0;
     std::uint32_t seed = 1;
     std::uint32_t loopMost = testing::RunOptions().loopMost;
@@ -52,6 +54,7 @@ Result<testing::RunOptions> runOptions(const TestArguments& arguments) {
     options.read.coverage = !arguments.coverage.empty();
     options.seed = arguments.seed;
     options.loopMost = arguments.loopMost;
+    options.reference = arguments.reference;
     for (const Compiler compiler : {Compiler::Dxc, Compiler::Glslang})
         if (arguments.compiler == nameOf(compiler) || (arguments.compiler == "both" && compilerAvailable(compiler)))
             options.compilers.push_back(compiler);
@@ -141,14 +144,19 @@ void printResults(const std::vector<FileResult>& results, const TestArguments& a
 
 void printCoverage(const testing::Coverage& coverage) {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& [file, lines] : coverage) {
-        const auto reached = std::ranges::count_if(lines, [](const auto& line) { return line.second > 0; });
+    for (const auto& [file, source] : coverage) {
+        std::set<int> lines;
+        for (const auto& [line, runs] : source.lines)
+            if (runs == 0) lines.insert(line);
+        for (const auto& [place, taken] : source.sides)
+            if (taken == 0) lines.insert(place[0]);
         std::string missed;
-        for (const auto& [line, runs] : lines)
-            if (runs == 0 && missed.size() < kWidth / 2) missed += fmt::format("{}{}", missed.empty() ? "" : " ", line);
-        rows.push_back({file, fmt::format("{} of {}", reached, lines.size()), missed});
+        for (const int line : lines)
+            if (missed.size() < kWidth / 2) missed += fmt::format("{}{}", missed.empty() ? "" : " ", line);
+        rows.push_back({file, fmt::format("{} of {}", testing::ran(source.lines), source.lines.size()),
+                        fmt::format("{} of {}", testing::ran(source.sides), source.sides.size()), missed});
     }
-    fmt::print("{}", table({"source", "lines reached", "not reached"}, rows));
+    fmt::print("{}", table({"source", "lines reached", "branches taken", "not, or one way alone"}, rows));
 }
 
 int listTests(const TestArguments& arguments, const testing::RunOptions& options) {
@@ -266,6 +274,7 @@ int watchFiles(const TestArguments& arguments, const testing::RunOptions& option
         std::error_code code;
         for (const std::string& file : arguments.files) {
             times.push_back(fs::last_write_time(file, code));
+            times.push_back(fs::last_write_time(arguments.reference, code));
             const auto tests = testing::readTests(file, options.read);
             for (std::size_t i = 0; tests && i < tests->includes.size(); ++i)
                 times.push_back(fs::last_write_time(tests->includes[i], code));
@@ -313,7 +322,8 @@ void addTest(CLI::App& program, Action& action) {
         ->check(CLI::Range(1U, 1U << 28U))
         ->capture_default_str();
     command->add_flag("--errors", arguments->errors, "Print how far the values of each tgNear were off: largest errors, and shares by ulp");
-    command->add_option("--coverage", arguments->coverage, "Print which lines ran, and write them for LCOV (.info)");
+    command->add_option("--reference", arguments->reference, "Python (.py) or a library: what tgReference asks")->check(CLI::ExistingFile);
+    command->add_option("--coverage", arguments->coverage, "Print which lines and branches ran, and write them for LCOV (.info)");
     command->add_option("--mutate", arguments->mutants,
                         "Change so many constants and operators, one at a time; print those that no test notices");
     command->add_option("--junit", arguments->junit, "Write the results as JUnit's XML (.xml)");

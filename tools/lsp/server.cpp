@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace tegument::lsp {
 
@@ -34,6 +35,7 @@ struct Unit {
     std::optional<Effect> effect; // as it was last read without an error
     Compiled compiled;            // of that
     bool stale = false;           // the compilers have not been asked since
+    bool untested = false;        // it holds tests, and was saved since they ran
     std::set<std::string> told;   // files that diagnostics were published of
 };
 
@@ -45,7 +47,7 @@ public:
     bool take(const std::string& text);
     void idle();
     [[nodiscard]] bool hasWork() const {
-        return std::ranges::any_of(units_, [](const auto& entry) { return entry.second.stale; });
+        return std::ranges::any_of(units_, [](const auto& entry) { return entry.second.stale || entry.second.untested; });
     }
     [[nodiscard]] int exitCode() const { return shutDown_ ? 0 : 1; }
 
@@ -153,7 +155,12 @@ void Server::notified(const std::string& method, const Json& parameters) {
     } else if (method != "textDocument/didSave") {
         return;
     }
-    if (documents_.find(path)) changed(path);
+    if (!documents_.find(path)) return;
+    changed(path);
+    for (auto& [other, unit] : units_) // after a change, marks would stand at other lines
+        if (method != "textDocument/didChange" && options_.test && other.ends_with(".test.hlsl") &&
+            std::ranges::find(unit.files, path, &FileNames::file) != unit.files.end())
+            unit.untested = true;
 }
 
 std::optional<std::string> Server::includeOf(const std::string& path, const std::string& name) const {
@@ -199,6 +206,7 @@ void Server::read(const std::string& path) {
 
 void Server::idle() {
     for (auto& [path, unit] : units_) {
+        if (std::exchange(unit.untested, false)) return publish(path, unit, options_.test(path));
         if (!unit.stale) continue;
         unit.stale = false;
         unit.compiled = compile(*unit.effect);

@@ -5,7 +5,7 @@ static uint tgThread = 0u;                 // TG_GROUP_TEST: the thread in its g
 static uint3 tgThreadID = uint3(0, 0, 0);  // the same along three axes
 static float2 tgQuad = float2(0.0, 0.0);   // TG_PIXEL_TEST: 0 or 1 along both axes, the pixel of the quad
 
-cbuffer tgTestRun
+cbuffer tgTestRun // in the order of Program::run
 {
     uint tgTestFirst;   // case
     uint tgTestEnd;     // behind the last case
@@ -228,18 +228,27 @@ void tgTestBetween(uint site, TgTestValue value, TgTestValue low, TgTestValue hi
     if (!passed) tgTestNote(site, value);
 }
 
+uint tgTestPlace(uint property) { return tgTestValuesAt + (property * tgTestCases + tgCase) * kTgTestProperty; }
+void tgTestRecord(uint property, TgTestValue value, float most)
+{
+    if (tgTestSilent) return;
+    const float4 numbers = tgTestNumbers(value);
+    const uint at = tgTestPlace(property);
+    for (uint i = 0u; i < 4u; i++)
+        tgTestOut[at + i] = asuint(numbers[i]);
+    tgTestOut[at + 4u] = asuint(most);
+    tgTestOut[at + 5u] = value.count;
+}
+
+// What a reference says.
+float4 tgTestGiven(uint at) { return asfloat(uint4(tgTestOut[at], tgTestOut[at + 1u], tgTestOut[at + 2u], tgTestOut[at + 3u])); }
+
 // The program compares neighbours.
 void tgTestProperty(uint site, uint property, TgTestValue value, float most)
 {
     tgTestJudge(site, true);
     tgTestNote(site, value);
-    if (tgTestSilent) return;
-    const float4 numbers = tgTestNumbers(value);
-    const uint at = tgTestValuesAt + (property * tgTestCases + tgCase) * kTgTestProperty;
-    for (uint i = 0u; i < 4u; i++)
-        tgTestOut[at + i] = asuint(numbers[i]);
-    tgTestOut[at + 4u] = asuint(most);
-    tgTestOut[at + 5u] = value.count;
+    tgTestRecord(property, value, most);
 }
 
 // Whether the loop has to be left: it, or all loops together, have taken too many turns, here or in another invocation.
@@ -287,6 +296,15 @@ void tgTestReached(uint place)
 {
     if (!tgTestSilent) InterlockedAdd(tgTestOut[tgTestNotesAt + kTgTestMostNotes * kTgTestNoted + place], 1u);
 }
+
+// Of a condition: the place that counts where it holds, and the next one.
+bool tgTestSide(uint place, bool x) { tgTestReached(x ? place : place + 1u); return x; }
+bool tgTestSide(uint place, int x) { return tgTestSide(place, x != 0); }
+bool tgTestSide(uint place, uint x) { return tgTestSide(place, x != 0u); }
+bool tgTestSide(uint place, float x) { return tgTestSide(place, x != 0.0); }
+bool2 tgTestSide(uint place, bool2 x) { if (any(x)) tgTestReached(place); if (!all(x)) tgTestReached(place + 1u); return x; }
+bool3 tgTestSide(uint place, bool3 x) { if (any(x)) tgTestReached(place); if (!all(x)) tgTestReached(place + 1u); return x; }
+bool4 tgTestSide(uint place, bool4 x) { if (any(x)) tgTestReached(place); if (!all(x)) tgTestReached(place + 1u); return x; }
 
 // Which of `count` values of an input this case has, where those before it change `stride` times faster.
 uint tgTestDigit(uint stride, uint count) { return tgCase / stride % count; }

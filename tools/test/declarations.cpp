@@ -236,7 +236,7 @@ std::optional<DeclarationReader::Input> DeclarationReader::input(const Tokens& t
     if (tokens[first].is("const")) ++first;
     if (last < first + 6 || !tokens[first + 2].is('=') || !tokens[first + 4].is('(')) return {};
     const Token& word = tokens[first + 3];
-    if (!word.is("tgRange") && !word.is("tgRandom") && !word.is("tgCases") && !word.is("tgTable")) return {};
+    if (!word.is("tgRange") && !word.is("tgRandom") && !word.is("tgCases") && !word.is("tgTable") && !word.is("tgReference")) return {};
     const std::string type(tokens[first].text);
     const std::string name(tokens[first + 1].text);
     if (!inTest) fail(word, "an input stands in a test");
@@ -246,6 +246,18 @@ std::optional<DeclarationReader::Input> DeclarationReader::input(const Tokens& t
     ++inputs_;
     if (word.is("tgTable") && !given.empty())
         return Input{first + 1, fmt::format("{} {} = {};", type, name, fromTable(tokens, given, type))};
+    if (word.is("tgReference") && given.size() > 1 && tokens[given[0].first].kind == TokenKind::String) {
+        const auto count = static_cast<std::uint32_t>(given.size() - 1);
+        test_->references.push_back({unquoted(text(0)), sources_.position(word), test_->properties, count, componentsOf(type)});
+        std::string code;
+        for (std::size_t a = 1; a < given.size(); ++a) {
+            const bool literal = tokens[given[a].first].kind == TokenKind::Number;
+            code += fmt::format("tgTestRecord({}u, tgTestOf({}({})), 0.0); ", test_->properties++, literal ? "float" : "", text(a));
+        }
+        code += fmt::format("{} {} = {}(tgTestGiven(tgTestPlace({}u)).{});", type, name, type, test_->properties++,
+                            std::string_view("xyzw").substr(0, componentsOf(type)));
+        return Input{first + 1, std::move(code)};
+    }
     if (word.is("tgCases") && !given.empty()) {
         const Dimension& of = dimension(word, static_cast<std::uint32_t>(given.size()));
         std::string list;
@@ -275,7 +287,7 @@ std::optional<DeclarationReader::Input> DeclarationReader::input(const Tokens& t
                                             text(1), components == 1 ? "" : std::to_string(components), units)};
     }
     fail(word, fmt::format("{} cannot be read", word.text),
-         "tgCases(values), tgRange(low, high, count), tgRandom(low, high), tgRandom(low, high, count) or tgTable(\"file.csv\", column)");
+         "tgCases(values), tgRange(low, high, count), tgRandom(low, high), tgTable(\"file.csv\", column) or tgReference(\"name\", x)");
 }
 
 std::optional<Error> DeclarationReader::finish(Test& test) const {

@@ -30,7 +30,7 @@ std::size_t notesAt(const TestFile& file) {
 
 /// Behind the notes and the counts of coverage.
 std::size_t valuesAt(const TestFile& file) {
-    return notesAt(file) + kMostNotes * kNoteNumbers + file.statements.size();
+    return notesAt(file) + kMostNotes * kNoteNumbers + file.counted.size();
 }
 
 std::uint32_t wordOf(double number, bool integer) {
@@ -93,7 +93,7 @@ Result<void> Program::fill(const UniformBlock& block) {
             return inputError(8203, given->at, fmt::format("{} takes whole numbers up to {}", member.name, kMost));
         run::pack(member, given->numbers, blocks_.back());
     }
-    if (block.name == "tgTestRun") launchBytes_ = blocks_.size() - 1, launchBlock_ = &block;
+    if (block.name == "tgTestRun") launchBytes_ = blocks_.size() - 1;
     add(block.set, block.binding, gpu::BindingKind::UniformBuffer, std::span<const std::byte>());
     return {};
 }
@@ -235,6 +235,11 @@ std::vector<std::uint32_t> Program::outputs() const {
     std::vector<std::uint32_t> words(valuesAt(file_) + std::size_t{test_.properties} * test_.cases * kPropertyNumbers, 0);
     for (std::size_t site = 0; site < file_.sites.size(); ++site)
         words[site * kSiteNumbers + 2] = std::numeric_limits<std::uint32_t>::max();
+    for (const auto& [property, values] : given_)
+        for (std::size_t i = 0; i < values.size(); ++i)
+            std::ranges::transform(
+                values[i], words.begin() + static_cast<std::ptrdiff_t>(valuesAt(file_) + (property * test_.cases + i) * kPropertyNumbers),
+                [](float x) { return std::bit_cast<std::uint32_t>(x); });
     return words;
 }
 
@@ -255,22 +260,13 @@ Result<Ran> Program::run(const Launch& launch) {
     std::size_t next = 0; // blocks come first
     for (auto& bytes : blocks_)
         resources_[next++].resource = std::span<const std::byte>(bytes);
-    const std::map<std::string, std::uint32_t> values = {{"tgTestFirst", launch_.first},
-                                                         {"tgTestEnd", launch_.end},
-                                                         {"tgTestWanted", launch_.wanted},
-                                                         {"tgTestOrder", launch_.order},
-                                                         {"tgTestSeed", launch_.seed},
-                                                         {"tgTestLoopMost", launch_.loopMost},
-                                                         {"tgTestNotesAt", static_cast<std::uint32_t>(notesAt(file_))},
-                                                         {"tgTestValuesAt", static_cast<std::uint32_t>(valuesAt(file_))},
-                                                         {"tgTestCases", test_.cases}};
-    for (std::size_t i = 0; launchBlock_ != nullptr && i < launchBlock_->members.size(); ++i)
-        if (const auto value = values.find(launchBlock_->members[i].name); value != values.end())
-            std::memcpy(blocks_[launchBytes_].data() + launchBlock_->members[i].offset, &value->second, sizeof value->second);
+    const auto notes = static_cast<std::uint32_t>(notesAt(file_)), values = static_cast<std::uint32_t>(valuesAt(file_));
+    const std::pair<Launch, std::array<std::uint32_t, 3>> told = {launch_, {notes, values, test_.cases}};
+    if (launchBytes_) std::memcpy(blocks_[*launchBytes_].data(), &told, std::min(sizeof told, blocks_[*launchBytes_].size()));
     const auto outputResource = std::ranges::find_if(shader_.reflection.resources, [](const Resource& r) { return r.name == "tgTestOut"; });
     Ran ran;
     ran.sites.resize(file_.sites.size());
-    ran.reached.resize(file_.statements.size());
+    ran.reached.resize(file_.counted.size());
     if (outputResource == shader_.reflection.resources.end()) return ran; // no assertion is left in it
     const std::vector<std::uint32_t> initial = outputs();
     auto output = device_.createBuffer(gpu::BufferUsage::Storage, std::as_bytes(std::span(initial)));

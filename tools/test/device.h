@@ -11,7 +11,7 @@
 
 namespace tegument::testing {
 
-/// What the assertions' code is told: tgTestRun of assertions.hlsl.
+/// What the assertions' code is told: the first of tgTestRun of assertions.hlsl, in its order.
 struct Launch {
     std::uint32_t first = 0; // case
     std::uint32_t end = 0;
@@ -51,7 +51,7 @@ struct Recorded {
 struct Ran {
     std::vector<Counts> sites;
     std::vector<Noted> notes;
-    std::vector<std::uint32_t> reached; // runs of each statement
+    std::vector<std::uint32_t> reached; // runs of each counted place
     std::vector<Recorded> recorded;     // of each property its cases
 };
 
@@ -61,6 +61,8 @@ public:
     [[nodiscard]] static Result<Program> create(gpu::Device& device, const TestFile& file, const Test& test, Shader shader,
                                                 const Shader* vertex);
     [[nodiscard]] Result<Ran> run(const Launch& launch);
+    /// What tgTestGiven reads from now on, case by case.
+    void give(std::uint32_t property, std::vector<std::array<float, 4>> values) { given_[property] = std::move(values); }
 
 private:
     Program(gpu::Device& device, const TestFile& file, const Test& test, Shader shader)
@@ -89,12 +91,12 @@ private:
     std::vector<std::vector<std::byte>> blocks_; // uniform
     std::vector<gpu::Binding> bindings_;
     std::vector<gpu::BoundResource> resources_;
-    const UniformBlock* launchBlock_ = nullptr;
-    std::size_t launchBytes_ = 0; // in blocks_
-    std::size_t output_ = 0;      // in resources_
+    std::optional<std::size_t> launchBytes_; // in blocks_
+    std::size_t output_ = 0;                 // in resources_
     gpu::Pipeline pipeline_;
     gpu::Texture target_;
     Launch launch_;
+    std::map<std::uint32_t, std::vector<std::array<float, 4>>> given_;
 };
 
 } // namespace tegument::testing

@@ -61,21 +61,29 @@ std::string junit(const std::vector<FileResult>& results) {
 Coverage coverageOf(const std::vector<FileResult>& results) {
     Coverage coverage;
     for (const FileResult& file : results)
-        for (const auto& [at, runs] : file.statements) {
-            std::uint64_t& line = coverage[at.file][at.line];
-            line = std::max(line, runs);
+        for (const auto& [place, runs] : file.counted) {
+            FileCoverage& source = coverage[place.at.file];
+            std::uint64_t& most = place.side < 0 ? source.lines[place.at.line] : source.sides[{place.at.line, place.at.column, place.side}];
+            most = std::max(most, runs);
         }
     return coverage;
 }
 
 std::string lcov(const Coverage& coverage) {
     std::string text;
-    for (const auto& [file, lines] : coverage) {
+    for (const auto& [file, source] : coverage) {
         text += fmt::format("TN:\nSF:{}\n", file);
-        for (const auto& [line, runs] : lines)
+        int line = 0, block = 0;
+        for (const auto& [place, taken] : source.sides) {
+            if (place[2] == 0) block = place[0] == line ? block + 1 : 0;
+            line = place[0];
+            const bool reached = taken + source.sides.at({line, place[1], 1 - place[2]}) > 0;
+            text += fmt::format("BRDA:{},{},{},{}\n", line, block, place[2], reached ? std::to_string(taken) : "-");
+        }
+        text += fmt::format("BRF:{}\nBRH:{}\n", source.sides.size(), ran(source.sides));
+        for (const auto& [line, runs] : source.lines)
             text += fmt::format("DA:{},{}\n", line, runs);
-        text += fmt::format("LF:{}\nLH:{}\nend_of_record\n", lines.size(),
-                            std::ranges::count_if(lines, [](const auto& line) { return line.second > 0; }));
+        text += fmt::format("LF:{}\nLH:{}\nend_of_record\n", source.lines.size(), ran(source.lines));
     }
     return text;
 }

@@ -22,35 +22,16 @@ struct AssertionKind {
     bool limited = false; // tolerances behind them
 };
 
-constexpr std::array<AssertionKind, 9> kAssertionKinds{{{"tgEqual", SiteKind::Equal, 2},
-                                                        {"tgNear", SiteKind::Near, 2, true},
-                                                        {"tgTrue", SiteKind::True, 1},
-                                                        {"tgFinite", SiteKind::Finite, 1},
-                                                        {"tgBetween", SiteKind::Between, 3},
-                                                        {"tgIncreasing", SiteKind::Increasing, 1},
-                                                        {"tgDecreasing", SiteKind::Decreasing, 1},
-                                                        {"tgContinuous", SiteKind::Continuous, 2},
-                                                        {"tgWatch", SiteKind::Watch, 1}}};
+constexpr AssertionKind kAssertionKinds[] = {
+    {"tgEqual", SiteKind::Equal, 2},           {"tgNear", SiteKind::Near, 2, true},       {"tgTrue", SiteKind::True, 1},
+    {"tgFinite", SiteKind::Finite, 1},         {"tgBetween", SiteKind::Between, 3},       {"tgIncreasing", SiteKind::Increasing, 1},
+    {"tgDecreasing", SiteKind::Decreasing, 1}, {"tgContinuous", SiteKind::Continuous, 2}, {"tgWatch", SiteKind::Watch, 1}};
 
 /// Operators and functions, and what a mutant has in their place.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kOpposites{{{"+", "-"},
-                                                                                    {"-", "+"},
-                                                                                    {"*", "/"},
-                                                                                    {"/", "*"},
-                                                                                    {"<", ">"},
-                                                                                    {">", "<"},
-                                                                                    {"min", "max"},
-                                                                                    {"max", "min"},
-                                                                                    {"sin", "cos"},
-                                                                                    {"cos", "sin"},
-                                                                                    {"floor", "ceil"},
-                                                                                    {"ceil", "floor"},
-                                                                                    {"any", "all"},
-                                                                                    {"all", "any"},
-                                                                                    {"saturate", ""},
-                                                                                    {"abs", ""},
-                                                                                    {"sqrt", ""},
-                                                                                    {"normalize", ""}}};
+constexpr std::string_view kOpposites[][2] = {{"+", "-"},        {"-", "+"},        {"*", "/"},       {"/", "*"},     {"<", ">"},
+                                              {">", "<"},        {"min", "max"},    {"max", "min"},   {"sin", "cos"}, {"cos", "sin"},
+                                              {"floor", "ceil"}, {"ceil", "floor"}, {"any", "all"},   {"all", "any"}, {"saturate", ""},
+                                              {"abs", ""},       {"sqrt", ""},      {"normalize", ""}};
 
 bool isDeclarationOfData(std::string_view word) {
     return word == "struct" || word == "class" || word == "interface" || word == "namespace" || word == "cbuffer" || word == "tbuffer";
@@ -271,7 +252,7 @@ private:
         function(i, close + 1);
         test_ = nullptr;
         if (const auto error = reader_.finish(made)) throw Error(*error);
-        if (made.properties > 0 && (made.row < 2 || made.invocations() > 1 || made.stage != ShaderStage::Compute))
+        if (made.neighbours && (made.row < 2 || made.invocations() > 1 || made.stage != ShaderStage::Compute))
             fail(8202, tokens_[i], fmt::format("{} compares neighbouring cases", made.name),
                  "write a TG_TEST whose first input is tgRange(low, high, count), tgCases(values) or tgTable(\"file\", column)");
         file_.tests.push_back(std::move(made));
@@ -347,8 +328,15 @@ private:
 
     void reached(std::size_t i) {
         if (!options_.coverage || test_ != nullptr) return;
-        emit(fmt::format("tgTestReached({}u);", file_.statements.size()), tokens_[i]);
-        file_.statements.push_back(sources_.position(tokens_[i]));
+        emit(counted(i), tokens_[i]);
+    }
+
+    [[nodiscard]] bool countsSides() const { return options_.coverage && test_ == nullptr; }
+
+    /// Code that counts a statement, or a side of a branch.
+    std::string counted(std::size_t i, int side = -1) {
+        file_.counted.push_back({.at = sources_.position(tokens_[i]), .side = side});
+        return fmt::format("tgTestReached({}u);", file_.counted.size() - 1);
     }
 
     std::size_t block(std::size_t open) {
@@ -369,20 +357,24 @@ private:
         return close + 1;
     }
 
-    /// A statement that may need braces around what is put before it.
-    std::size_t body(std::size_t i) {
-        if (is(i, '{')) return block(i);
-        emit("{", tokens_[i]);
+    /// A statement that may need braces around what is put before it, as the count of a side.
+    std::size_t body(std::size_t i, const std::string& count = {}) {
+        if (is(i, '{') && count.empty()) return block(i);
+        emit("{ " + count, tokens_[i]);
         const std::size_t end = statement(i);
         emit("}", tokens_[end - 1]);
         return end;
     }
 
     std::size_t branch(std::size_t i) {
-        std::size_t end = body(head(i));
-        if (end >= tokens_.size() || !tokens_[end].is("else")) return end;
-        copy(end);
-        return body(end + 1);
+        const auto side = [&](int number) { return countsSides() ? counted(i, number) : std::string(); };
+        const std::size_t first = head(i);
+        const std::size_t end = body(first, side(0));
+        const bool other = end < tokens_.size() && tokens_[end].is("else");
+        if (other) copy(end);
+        if (other) return body(end + 1, side(1));
+        if (countsSides()) emit(fmt::format("else {{ {} }}", side(1)), tokens_[end - 1]);
+        return end;
     }
 
     std::size_t loop(std::size_t word, std::size_t i, bool unrolled) {
@@ -395,6 +387,7 @@ private:
             at = statement(at);
         if (!braced) end = statement(i);
         std::string text = braced ? "" : "{ ";
+        if (countsSides()) text += counted(word, 0) + " ";
         if (unrolled) {
             setStart(start, text);
         } else {
@@ -408,6 +401,9 @@ private:
         if (tokens_[word].is("do")) { // while (...);
             const std::size_t last = behindStatement(end);
             expression(end, last);
+            if (countsSides()) emit(counted(word, 1), tokens_[last - 1]);
+        } else if (countsSides()) {
+            emit(counted(word, 1), tokens_[end - 1]);
         }
         return end;
     }
@@ -465,11 +461,34 @@ private:
         if (const std::string text(tokens_[name].text); assigns && floats_.contains(text)) trace(text, first, last);
     }
 
+    /// Of a `?` whose condition begins here; 0: there is none.
+    [[nodiscard]] std::size_t questionOf(std::size_t i, std::size_t first, std::size_t last) const {
+        const auto assigns = [&](std::size_t at) {
+            return is(at, '=') && !is(at + 1, '=') && std::string_view("=!<>").find(tokens_[at - 1].text[0]) == std::string_view::npos;
+        };
+        const bool begins = i == first || is(i - 1, '(') || is(i - 1, '[') || is(i - 1, '{') || is(i - 1, ',') || is(i - 1, '?') ||
+                            is(i - 1, ':') || is(i - 1, ';') || tokens_[i - 1].is("return") || assigns(i - 1);
+        if (!countsSides() || tokens_[i].is("return") || !begins) return 0;
+        for (std::size_t at = i; at < last && std::string_view(")]},;:").find(tokens_[at].text[0]) == std::string_view::npos; ++at) {
+            if (is(at, '?')) return at;
+            if (is(at, '(') || is(at, '[') || is(at, '{')) at = closing_[at];
+            if (at > first && assigns(at)) return 0;
+        }
+        return 0;
+    }
+
     void expression(std::size_t first, std::size_t last) {
+        std::set<std::size_t> questions;
         for (std::size_t i = first; i < last;) {
+            if (const std::size_t question = questionOf(i, first, last); question != 0 && questions.insert(question).second) {
+                emit(fmt::format("tgTestSide({}u, (", file_.counted.size()), tokens_[i]);
+                for (const int side : {0, 1})
+                    (void)counted(question, side);
+            }
+            if (questions.contains(i)) emit("))", tokens_[i]);
             const auto kind = std::ranges::find(kAssertionKinds, tokens_[i].text, &AssertionKind::name);
             const bool member = i > 0 && is(i - 1, '.');
-            if (kind != kAssertionKinds.end() && is(i + 1, '(')) {
+            if (kind != std::end(kAssertionKinds) && is(i + 1, '(')) {
                 i = assertion(*kind, i);
             } else if (isWord(i) && !member && is(i + 1, '[') && closing_[i + 1] < last && elementsOf(i) != nullptr) {
                 i = element(i);
@@ -550,6 +569,7 @@ private:
     void property(const AssertionKind& kind, std::uint32_t number, const std::vector<TokenRange>& given) {
         if (test_ == nullptr) fail(8202, tokens_[given[0].first], fmt::format("{} stands in a test", kind.name));
         file_.sites[number].property = test_->properties;
+        test_->neighbours = true;
         const std::string type = literalType(given[0]);
         emit(fmt::format("tgTestProperty({}u, {}u, tgTestOf({}(", number, test_->properties++, type), tokens_[given[0].first]);
         expression(given[0].first, given[0].last);
@@ -574,13 +594,13 @@ private:
                 to = token.text.find_first_of(".eE") == std::string_view::npos || token.text.starts_with("0x")
                          ? fmt::format("({} + 1)", token.text)
                          : fmt::format("({} * 1.01 + 0.001)", token.text);
-            } else if (const auto found = std::ranges::find(kOpposites, token.text, &std::pair<std::string_view, std::string_view>::first);
-                       found != kOpposites.end() && i > first && i + 1 < last) {
+            } else if (const auto found = std::ranges::find(kOpposites, token.text, [](const auto& each) { return each[0]; });
+                       found != std::end(kOpposites) && i > first && i + 1 < last) {
                 const Token& before = tokens_[i - 1];
                 const bool operand = before.kind != TokenKind::Sign || before.is(')') || before.is(']');
                 const bool twice = is(i + 1, token.text[0]) || before.text == token.text;
                 if (isWord(i) ? !is(i + 1, '(') : !operand || twice || tokens_[i - 1].is("return")) continue;
-                to = found->second;
+                to = (*found)[1];
             } else {
                 continue;
             }

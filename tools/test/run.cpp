@@ -2,6 +2,7 @@
 
 #include "host/support/file.h"
 #include "host/support/parallel.h"
+#include "tools/test/reference.h"
 
 #include <fmt/format.h>
 
@@ -109,6 +110,7 @@ public:
         vertex_ = vertex;
         auto program = Program::create(device_, file_, test_, std::move(shader), vertex);
         if (!program) return program.error();
+        if (auto given = give(*program); !given) return given.error();
         for (launch_.order = 0; launch_.order < (test_.group[0] == 0 ? 1 : kOrders) && result_.failures.empty(); ++launch_.order)
             if (auto judged = judge(*program, reached); !judged) return judged.error();
         if (test_.why) expectFailure();
@@ -116,8 +118,21 @@ public:
     }
 
 private:
+    /// Each may depend on those before it.
+    Result<void> give(Program& program) {
+        launch_ = {.end = test_.cases, .seed = options_.seed, .loopMost = options_.loopMost};
+        for (const Reference& reference : test_.references) {
+            const auto ran = program.run(launch_);
+            if (!ran) return ran.error();
+            const auto recorded = std::span(ran->recorded).subspan(std::size_t{reference.first} * test_.cases);
+            auto results = evaluate(options_.reference, reference, recorded, test_.cases);
+            if (!results) return results.error();
+            program.give(reference.first + reference.arguments, std::move(*results));
+        }
+        return {};
+    }
+
     Result<void> judge(Program& program, std::vector<std::uint64_t>* reached) {
-        launch_ = {.end = test_.cases, .order = launch_.order, .seed = options_.seed, .loopMost = options_.loopMost};
         auto ran = program.run(launch_);
         if (!ran) return ran.error();
         for (std::size_t i = 0; reached != nullptr && i < ran->reached.size(); ++i)
@@ -361,7 +376,7 @@ Result<FileResult> runFile(gpu::Device& device, const std::filesystem::path& pat
     result.diagnostics = file->warnings;
     std::vector<Work> works = worksOf(*file, options);
     forEachInParallel(works.size(), [&](std::size_t i) { compile(works[i], *file); });
-    std::vector<std::uint64_t> reached(file->statements.size());
+    std::vector<std::uint64_t> reached(file->counted.size());
     for (Work& work : works) {
         if (const Error* error = errorOf(work)) {
             if (error->blame != Blame::Input) return *error;
@@ -379,7 +394,7 @@ Result<FileResult> runFile(gpu::Device& device, const std::filesystem::path& pat
         }
     }
     for (std::size_t i = 0; i < reached.size(); ++i)
-        result.statements.emplace_back(file->statements[i], reached[i]);
+        result.counted.emplace_back(file->counted[i], reached[i]);
     return result;
 }
 

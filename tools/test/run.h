@@ -15,7 +15,8 @@ namespace tegument::testing {
 struct RunOptions {
     ReadOptions read;
     std::vector<Compiler> compilers;
-    std::string filter; // of names, with *; empty: all
+    std::filesystem::path reference; // of tgReference: Python, or a shared library
+    std::string filter;              // of names, with *; empty: all
     std::uint32_t seed = 1;
     std::uint32_t loopMost = 50'000; // turns of a loop: lavapipe leaves each after 65,535, in silence
 };
@@ -56,7 +57,7 @@ struct FileResult {
     std::vector<TestResult> tests;
     std::vector<Diagnostic> diagnostics; // of the compilers, each once
     std::vector<std::filesystem::path> includes;
-    std::vector<std::pair<SourcePosition, std::uint64_t>> statements; // and how often they ran, with the first compiler
+    std::vector<std::pair<Counted, std::uint64_t>> counted; // and how often they ran, with the first compiler
 
     [[nodiscard]] bool passed() const;
 };

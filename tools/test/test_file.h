@@ -42,14 +42,25 @@ struct Fixture {
     bool isDefault = false;         // of the declaration
 };
 
+/// tgReference: of arguments that a run records the result of another program, which the next run reads.
+struct Reference {
+    std::string name;
+    SourcePosition at;
+    std::uint32_t first = 0; // of its arguments among what is recorded; behind them the result
+    std::uint32_t arguments = 0;
+    std::uint32_t components = 1;
+};
+
 struct Test {
     std::string name;
     SourcePosition at;
     ShaderStage stage = ShaderStage::Compute;
     std::array<std::uint32_t, 3> group = {0, 0, 0}; // threads that work together; 0: each case alone
     std::uint32_t cases = 1;
-    std::uint32_t row = 1;          // cases that differ in the first input alone, in its order
-    std::uint32_t properties = 0;   // that are recorded case by case
+    std::uint32_t row = 1;        // cases that differ in the first input alone, in its order
+    std::uint32_t properties = 0; // that are recorded case by case: of neighbours, and of references
+    bool neighbours = false;      // are compared
+    std::vector<Reference> references;
     std::vector<Fixture> fixtures;  // the file's own first
     std::vector<float> table;       // what its inputs read
     std::string entry;              // of the shader
@@ -68,6 +79,12 @@ struct Mutant {
     std::string to;
 };
 
+/// A place whose runs are counted: a statement, or one of the two sides of an `if`, a `?` or a loop.
+struct Counted {
+    SourcePosition at;
+    int side = -1; // 0: the condition held
+};
+
 struct TestFile {
     std::filesystem::path path;
     std::string code;
@@ -78,14 +95,14 @@ struct TestFile {
     bool direct3D9 = false;                      // its HLSL is respelt for DXC
     std::vector<Sampler> samplers;               // of Direct3D 9, each with its state, under the names of the code
     std::map<std::string, std::string> authors;  // of the code's names of samplers and their textures those that the author wrote
-    std::vector<SourcePosition> statements;      // whose runs are counted
-    std::vector<Mutant> mutants;                 // that could be made
+    std::vector<Counted> counted;
+    std::vector<Mutant> mutants; // that could be made
     std::vector<Diagnostic> warnings;
 };
 
 struct ReadOptions {
     LoadOptions load;
-    bool coverage = false; // count the runs of each statement outside of tests
+    bool coverage = false; // count the runs of statements and branches outside of tests
     bool trace = false;    // look for the first NaN
     std::optional<Mutant> mutant;
 };

@@ -91,6 +91,16 @@ bool isSampledWith(const Words& words, std::size_t i) {
     return method.starts_with("Sample") || method.starts_with("Gather") || method.starts_with("CalculateLevelOfDetail");
 }
 
+/// Of the bracket at `open`.
+std::size_t closing(const Words& words, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < words.size(); ++i) {
+        depth += words[i].is("(") ? 1 : words[i].is(")") ? -1 : 0;
+        if (depth == 0) return i;
+    }
+    return words.size() - 1;
+}
+
 /// `half3` to `float3`: SPIR-V's small types need hardware, and Direct3D 9 computes floats.
 std::string respeltType(const std::string& word) {
     for (const std::string_view small : {"half", "double", "fixed"}) {
@@ -194,6 +204,26 @@ Words Spelling::respelt(const Words& words) const {
         const bool member = i > 0 && words[i - 1].is(".");
         const bool calls = i + 1 < words.size() && words[i + 1].is("(");
         const bool beforeName = i + 1 < words.size() && words[i + 1].isName();
+        if (const std::size_t end = closing(words, i + 1); calls && word.is("unroll") && i > 0 && words[i - 1].is("[") && end != i + 3) {
+            result.push_back(word); // later compilers reckon no count
+            i = end;
+            continue;
+        }
+        if (calls && (i == 0 || words[i - 1].is(";") || words[i - 1].is("{") || words[i - 1].is("}")))
+            if (const std::size_t end = closing(words, i + 1); end + 1 < words.size() && words[end + 1].is("=")) { // float4(a, b) = c;
+                const auto from = words.begin() + static_cast<std::ptrdiff_t>(i + 2);
+                const auto to = words.begin() + static_cast<std::ptrdiff_t>(end);
+                const auto last = std::find_if(to, words.end(), [](const Word& each) { return each.is(";"); });
+                Words split{word};
+                split[0].text = "tg_split";
+                split.push_back({.text = "("});
+                for (const Words& part :
+                     {respelt(Words(from, to)), Words{{.text = ","}}, respelt(Words(to + 2, last)), Words{{.text = ")"}}})
+                    split.insert(split.end(), part.begin(), part.end());
+                result.insert(result.end(), split.begin(), split.end());
+                i = static_cast<std::size_t>(last - words.begin()) - 1;
+                continue;
+            }
         if (named && isReserved(word.text)) {
             const bool keyword = (contains(kModifierWords, word.text) && beforeName) || (!legacy && contains(kNewWords, word.text));
             if (!keyword) word.text += '_';
@@ -220,6 +250,14 @@ const std::string& prelude() {
     // not load, each depth is a shifted one. The smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
+void tg_split(out float a, out float b, float2 v) { a = v.x; b = v.y; }
+void tg_split(out float a, out float b, out float c, float3 v) { a = v.x; b = v.y; c = v.z; }
+void tg_split(out float a, out float b, out float c, out float d, float4 v) { a = v.x; b = v.y; c = v.z; d = v.w; }
+void tg_split(out float2 a, out float b, float3 v) { a = v.xy; b = v.z; }
+void tg_split(out float a, out float2 b, float3 v) { a = v.x; b = v.yz; }
+void tg_split(out float3 a, out float b, float4 v) { a = v.xyz; b = v.w; }
+void tg_split(out float a, out float3 b, float4 v) { a = v.x; b = v.yzw; }
+void tg_split(out float2 a, out float2 b, float4 v) { a = v.xy; b = v.zw; }
 struct tg_rows { int none; float4 Load(int i) { int r = i & 3; return float4(r == 0, r == 1, r == 2, r == 3); } };
 #define tg_pow(x, y) pow(abs(x), y)
 #define tg_sqrt(x) sqrt(abs(x))

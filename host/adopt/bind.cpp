@@ -400,7 +400,8 @@ private:
         const bool coloured = holds(name, {"col", "diffuse", "specular", "ambient", "intensity"}); // DirLight0DiffuseColor
         if (light && !coloured && holds(name, {"dir", "vec", "normal"})) return lightDirection(false);
         if (light && (holds(name, {"pos", "location"}) || text == "LIGHT" || text == "LAMP")) return position(true);
-        if (holds(name, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "halfpixel", "rendertargetsize", "aspect"}))
+        const bool r = text == "R" && parameter_.type.columns == 2; // vvvv's effects of textures
+        if (r || holds(name, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "halfpixel", "rendertargetsize", "aspect"}))
             return viewport(text);
         if (auto found = scalar(text)) return found;
         if (name == "time" || name.ends_with("time") || holds(name, {"time0_", "elapsed", "timer"})) return constant({1}, "one second");
@@ -433,6 +434,7 @@ private:
 
 std::optional<std::string> matrixName(std::string_view name) {
     std::string text = letters(name);
+    if (const std::size_t at = text.find("PRJ"); at != std::string::npos) text.replace(at, 3, "PROJ");
     for (const std::string_view end : {"MATRIX", "MTX", "XFORM", "TRANSFORM", "TM", "MAT"})
         if (text.ends_with(end) && text.size() > end.size()) {
             text.resize(text.size() - end.size());

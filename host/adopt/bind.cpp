@@ -29,40 +29,15 @@ std::string letters(std::string_view text) {
     return result;
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kBases{{{"WORLD", "WORLD"},
-                                                                                {"MODEL", "WORLD"},
-                                                                                {"OBJECT", "WORLD"},
-                                                                                {"LOCAL", "WORLD"},
-                                                                                {"OBJECTTOWORLD", "WORLD"},
-                                                                                {"OBJTOWORLD", "WORLD"},
-                                                                                {"MODELTOWORLD", "WORLD"},
-                                                                                {"LOCALTOWORLD", "WORLD"},
-                                                                                {"VIEW", "VIEW"},
-                                                                                {"CAMERA", "VIEW"},
-                                                                                {"WORLDTOVIEW", "VIEW"},
-                                                                                {"WORLDTOCAMERA", "VIEW"},
-                                                                                {"PROJECTION", "PROJECTION"},
-                                                                                {"PROJ", "PROJECTION"},
-                                                                                {"VIEWTOPROJECTION", "PROJECTION"},
-                                                                                {"WORLDVIEW", "WORLDVIEW"},
-                                                                                {"MODELVIEW", "WORLDVIEW"},
-                                                                                {"OBJECTTOVIEW", "WORLDVIEW"},
-                                                                                {"WV", "WORLDVIEW"},
-                                                                                {"VIEWPROJECTION", "VIEWPROJECTION"},
-                                                                                {"VIEWPROJ", "VIEWPROJECTION"},
-                                                                                {"WORLDTOPROJECTION", "VIEWPROJECTION"},
-                                                                                {"WORLDTOCLIP", "VIEWPROJECTION"},
-                                                                                {"VP", "VIEWPROJECTION"},
-                                                                                {"WORLDVIEWPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"WORLDVIEWPROJ", "WORLDVIEWPROJECTION"},
-                                                                                {"MODELVIEWPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"MODELVIEWPROJ", "WORLDVIEWPROJECTION"},
-                                                                                {"WORLDPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"OBJECTTOPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"OBJECTTOCLIP", "WORLDVIEWPROJECTION"},
-                                                                                {"FINAL", "WORLDVIEWPROJECTION"},
-                                                                                {"WVP", "WORLDVIEWPROJECTION"},
-                                                                                {"MVP", "WORLDVIEWPROJECTION"}}};
+/// Each between blanks.
+constexpr std::string_view kBases =
+    " WORLD=WORLD MODEL=WORLD OBJECT=WORLD LOCAL=WORLD OBJECTTOWORLD=WORLD OBJTOWORLD=WORLD MODELTOWORLD=WORLD LOCALTOWORLD=WORLD "
+    "VIEW=VIEW CAMERA=VIEW WORLDTOVIEW=VIEW WORLDTOCAMERA=VIEW PROJECTION=PROJECTION PROJ=PROJECTION VIEWTOPROJECTION=PROJECTION "
+    "WORLDVIEW=WORLDVIEW MODELVIEW=WORLDVIEW OBJECTTOVIEW=WORLDVIEW WV=WORLDVIEW VIEWPROJECTION=VIEWPROJECTION VIEWPROJ=VIEWPROJECTION "
+    "WORLDTOPROJECTION=VIEWPROJECTION WORLDTOCLIP=VIEWPROJECTION VP=VIEWPROJECTION WORLDVIEWPROJECTION=WORLDVIEWPROJECTION "
+    "WORLDVIEWPROJ=WORLDVIEWPROJECTION MODELVIEWPROJECTION=WORLDVIEWPROJECTION MODELVIEWPROJ=WORLDVIEWPROJECTION "
+    "WORLDPROJECTION=WORLDVIEWPROJECTION OBJECTTOPROJECTION=WORLDVIEWPROJECTION OBJECTTOCLIP=WORLDVIEWPROJECTION "
+    "FINAL=WORLDVIEWPROJECTION WVP=WORLDVIEWPROJECTION MVP=WORLDVIEWPROJECTION ";
 
 struct Form {
     std::string_view text;
@@ -84,8 +59,11 @@ constexpr std::array<Form, 13> kForms{{{"INVERSETRANSPOSE", "INVERSETRANSPOSE"},
                                        {"T", "TRANSPOSE"}}};
 
 std::optional<std::string> base(std::string_view text) {
-    const auto found = std::ranges::find(kBases, text, &std::pair<std::string_view, std::string_view>::first);
-    return found == kBases.end() ? std::nullopt : std::optional(std::string(found->second));
+    const std::string key = fmt::format(" {}=", text);
+    const std::size_t at = kBases.find(key);
+    if (at == std::string_view::npos) return std::nullopt;
+    const std::string_view rest = kBases.substr(at + key.size());
+    return std::string(rest.substr(0, rest.find(' ')));
 }
 
 /// g_mWorld, matView, m_ViewProj: the name without its author's prefixes, the whole name first.

@@ -15,59 +15,11 @@ constexpr std::array<std::string_view, 4> kKinds{"1D", "2D", "3D", "CUBE"};
 constexpr std::array<std::string_view, 5> kSamplingForms{"", "bias", "grad", "lod", "proj"};
 
 // Names in Direct3D 9's effects, words of the language later on (HLSL 2018 as DXC reads it).
-constexpr std::array<std::string_view, 53> kReserved{"line",
-                                                     "point",
-                                                     "sample",
-                                                     "triangle",
-                                                     "lineadj",
-                                                     "triangleadj",
-                                                     "interface",
-                                                     "precise",
-                                                     "linear",
-                                                     "pass",
-                                                     "noperspective",
-                                                     "export",
-                                                     "this",
-                                                     "class",
-                                                     "centroid",
-                                                     "input",
-                                                     "namespace",
-                                                     "using",
-                                                     "private",
-                                                     "public",
-                                                     "protected",
-                                                     "virtual",
-                                                     "template",
-                                                     "friend",
-                                                     "operator",
-                                                     "auto",
-                                                     "char",
-                                                     "short",
-                                                     "long",
-                                                     "signed",
-                                                     "goto",
-                                                     "explicit",
-                                                     "new",
-                                                     "delete",
-                                                     "enum",
-                                                     "union",
-                                                     "sizeof",
-                                                     "typename",
-                                                     "try",
-                                                     "catch",
-                                                     "throw",
-                                                     "mutable",
-                                                     "snorm",
-                                                     "unorm",
-                                                     "payload",
-                                                     "indices",
-                                                     "vertices",
-                                                     "primitives",
-                                                     "globallycoherent",
-                                                     "groupshared",
-                                                     "reinterpret_cast",
-                                                     "static_cast",
-                                                     "dynamic_cast"};
+constexpr std::string_view kReserved =
+    " line point sample triangle lineadj triangleadj interface precise linear pass noperspective export this class centroid input "
+    "namespace using private public protected virtual template friend operator auto char short long signed goto explicit new delete "
+    "enum union sizeof typename try catch throw mutable snorm unorm payload indices vertices primitives globallycoherent groupshared "
+    "reinterpret_cast static_cast dynamic_cast ";
 
 /// Words that are modifiers where a name follows.
 constexpr std::array<std::string_view, 12> kModifierWords{"linear", "centroid", "precise", "noperspective", "sample", "point",
@@ -82,6 +34,9 @@ constexpr std::array<std::string_view, 6> kArithmetic{"pow", "normalize", "sqrt"
 template <class List>
 bool contains(const List& list, std::string_view word) {
     return std::ranges::find(list, word) != list.end();
+}
+bool contains(std::string_view words, std::string_view word) {
+    return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
 }
 
 /// `picture.Sample(name, uv)`: the name at `i` is what a later texture's method samples with.

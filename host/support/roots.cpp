@@ -163,10 +163,12 @@ Roots rootsOfEffect(const fs::path& file, const std::vector<fs::path>& named, co
 std::optional<fs::path> folderOfInclude(const std::string& name, const fs::path& effect, const Roots& roots) {
     constexpr int kLevels = 3;
     constexpr int kMostFiles = 8000;
-    std::vector<fs::path> tops = roots.folders;
     fs::path above = resolved(effect).parent_path();
+    std::vector<fs::path> tops{above}; // the nearest first
     for (int i = 0; i < kLevels && !holdsStrangers(above.parent_path()); ++i)
         add(tops, above = above.parent_path());
+    for (const fs::path& folder : roots.folders)
+        add(tops, folder);
     std::string written = name;
     std::ranges::replace(written, '\\', '/');
     const fs::path wanted = fs::path(written).lexically_normal();

@@ -388,6 +388,16 @@ TEST_F(Unpacked, a_missing_include_is_looked_for_and_its_folder_named) {
     EXPECT_EQ(hint(write("shaders/sm3/b.fx", "#include <inner\\part.fxh>\n")), lib) << "of a name with a folder";
     EXPECT_EQ(hint(write("c.fx", "#include \"Common.FXH\"\n")), lib) << "in another case";
     EXPECT_EQ(hint(write("shaders/sm3/d.fx", "#include \"nowhere.fxh\"\n")), "");
+    write("other/common.fxh", "float gOther;");
+    EXPECT_EQ(hint(plain), lib) << "the nearest one";
+}
+
+TEST_F(Unpacked, the_header_of_reshade_is_said_to_come_with_its_effects) {
+    const std::string text = said(write("a.fx", "#include \"ReShade.fxh\"\n"));
+    EXPECT_NE(text.find("TG1001: cannot find include file 'ReShade.fxh'; it comes with crosire/reshade-shaders (GitHub): -I names its "
+                        "folder Shaders"),
+              std::string::npos)
+        << text;
 }
 
 } // namespace

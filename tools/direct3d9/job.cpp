@@ -43,11 +43,10 @@ std::string text(const run::Numbers& numbers) {
 }
 
 /// Direct3D 9 has the centre of a pixel where later ones have its corner.
-run::Numbers movedHalfAPixel(run::Numbers matrix, bool transposed, int width, int height) {
+run::Numbers movedHalfAPixel(run::Numbers matrix, int width, int height) {
     for (std::size_t row = 0; row < 4; ++row) {
-        const auto at = [&](std::size_t column) -> double& { return matrix[transposed ? column * 4 + row : row * 4 + column]; };
-        at(0) -= at(3) / width;
-        at(1) += at(3) / height;
+        matrix[row * 4] -= matrix[row * 4 + 3] / width;
+        matrix[row * 4 + 1] += matrix[row * 4 + 3] / height;
     }
     return matrix;
 }
@@ -65,10 +64,9 @@ std::string valueLines(const Effect& effect, const run::Prepared& prepared, cons
         run::Numbers numbers = *value;
         const auto* own = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr;
         if (parameter.semantic.empty() && theirs.contains(parameter.name) && own && *own == theirs.at(parameter.name)) continue;
-        const bool transposed = parameter.semantic.ends_with("PROJECTIONTRANSPOSE");
-        if (numbers.size() == 16 && (parameter.semantic.ends_with("PROJECTION") || transposed))
-            numbers = movedHalfAPixel(std::move(numbers), transposed, width, height);
-        lines += fmt::format("value {}{}\n", parameter.name.starts_with("tg_") ? "placed" : parameter.name, text(numbers));
+        const bool placed = parameter.name.starts_with("tg_"); // what fixed function draws
+        if (placed && numbers.size() == 16) numbers = movedHalfAPixel(std::move(numbers), width, height);
+        lines += fmt::format("value {}{}\n", placed ? "placed" : parameter.name, text(numbers));
     }
     return lines;
 }

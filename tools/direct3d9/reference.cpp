@@ -65,7 +65,7 @@ Result<void> drawHere(gpu::Device& device, const ReferencePicture& picture, cons
     if (!read) return read.error();
     if (read->ownDialect) return inputError(5260, {.file = picture.file.string()}, "it is written for this host");
     const AuthorsNumbers theirs = authorsNumbers(*read);
-    const Adoption adoption = adopted(std::move(*read), {.width = options.width, .height = options.height});
+    const Adoption adoption = adopted(std::move(*read), {.width = options.width, .height = options.height, .direct3D9Centres = true});
     const Technique* technique = adoption.effect.defaultTechnique();
     if (!technique || technique->kind != TechniqueKind::D3D9)
         return inputError(5260, {.file = picture.file.string()}, "its technique is not of Direct3D 9");

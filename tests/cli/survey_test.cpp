@@ -54,7 +54,7 @@ TEST(Survey, goes_on_where_a_driver_brings_the_process_down) {
 TEST(SurveyAgainstMicrosoft, says_which_picture_is_the_same_and_how_far_off_another_is) {
     const fs::path folder = scratch() / "against";
     fs::create_directories(folder);
-    for (const char* name : {"one_mat.fx", "odd_spelling.fx", "d3d10_lambert.fx"}) // the second one: tests/d3d/foreign_test.cpp says why
+    for (const char* name : {"one_mat.fx", "fetches.fx", "d3d10_lambert.fx"}) // the second one: tests/d3d/foreign_test.cpp says why
         fs::copy_file(fs::path("tests/adopt/effects") / name, folder / name, fs::copy_options::overwrite_existing);
     const fs::path pictures = scratch() / "against_pictures";
     const fs::path sheet = scratch() / "against.png";

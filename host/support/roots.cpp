@@ -112,8 +112,14 @@ fs::path parentOfNamed(const fs::path& effect) {
         for (std::string& name : quotedNames(*text)) {
             std::ranges::replace(name, '\\', '/');
             std::error_code code;
-            const fs::path written = (files[i].parent_path() / name).lexically_normal();
             const bool relative = !name.empty() && fs::path(name).is_relative() && name.find('\0') == std::string::npos;
+            fs::path written;
+            for (const fs::path& folder : {files[i].parent_path(), files.front().parent_path()}) { // as #include looks for it
+                if (!relative || fs::is_regular_file(written, code)) break;
+                written = (folder / name).lexically_normal();
+                if (fs::path(name).has_extension() && !fs::exists(written, code))
+                    written = findInAnyCase(folder, name).value_or(written).lexically_normal();
+            }
             if (!relative || !fs::is_regular_file(written, code) || resolved(written) != written) continue;
             const fs::path common = commonParent(parent, written.parent_path());
             if (common != parent && holdsStrangers(common)) continue;

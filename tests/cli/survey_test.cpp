@@ -66,9 +66,9 @@ TEST(SurveyAgainstMicrosoft, says_which_picture_is_the_same_and_how_far_off_anot
     EXPECT_EQ(files[0]["microsoft"], "not compared: its technique is not of Direct3D 9");
     EXPECT_TRUE(files[0]["error"].is_null());
     EXPECT_EQ(files[1]["microsoft"], "differs");
-    EXPECT_GT(files[1]["error"].get<double>(), 0.1);
+    EXPECT_GT(files[1]["error"].get<double>(), 0.02);
     EXPECT_EQ(files[2]["microsoft"], "equal");
-    EXPECT_LT(files[2]["error"].get<double>(), 0.05);
+    EXPECT_LT(files[2]["error"].get<double>(), 0.02);
     EXPECT_TRUE(fs::exists(pictures / "one_mat.microsoft.png"));
     const auto pairs = loadImage(sheet);
     ASSERT_TRUE(pairs);

@@ -206,10 +206,9 @@ private:
         // Some of these were names in Direct3D 9: `float4 sample = ...`.
         while (isModifier(peek()) && peek(1).isName()) {
             const bool second = !list.empty() && ((list.back().is("in") && peek().is("out")) || (list.back().is("out") && peek().is("in")));
-            list.push_back(take());
-            if (!second) continue;
-            list.pop_back();
-            list.back().text = "inout";
+            const Word word = take();
+            if (second) list.back().text = "inout";
+            if (!second) list.push_back(word);
         }
         return list;
     }

@@ -169,13 +169,11 @@ Words Spelling::respelt(const Words& words) const {
                 const auto from = words.begin() + static_cast<std::ptrdiff_t>(i + 2);
                 const auto to = words.begin() + static_cast<std::ptrdiff_t>(end);
                 const auto last = std::find_if(to, words.end(), [](const Word& each) { return each.is(";"); });
-                Words split{word};
-                split[0].text = "tg_split";
-                split.push_back({.text = "("});
-                for (const Words& part :
-                     {respelt(Words(from, to)), Words{{.text = ","}}, respelt(Words(to + 2, last)), Words{{.text = ")"}}})
-                    split.insert(split.end(), part.begin(), part.end());
-                result.insert(result.end(), split.begin(), split.end());
+                result.push_back(word);
+                result.back().text = "tg_split";
+                for (const Words& part : {Words{{.text = "("}}, respelt(Words(from, to)), Words{{.text = ","}},
+                                          respelt(Words(to + 2, last)), Words{{.text = ")"}}})
+                    result.insert(result.end(), part.begin(), part.end());
                 i = static_cast<std::size_t>(last - words.begin()) - 1;
                 continue;
             }
@@ -205,14 +203,11 @@ const std::string& prelude() {
     // not load, each depth is a shifted one. The smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
-void tg_split(out float a, out float b, float2 v) { a = v.x; b = v.y; }
+#define TG_SPLIT(A, B, V, P, Q) void tg_split(out A a, out B b, V v) { a = v.P; b = v.Q; }
+TG_SPLIT(float, float, float2, x, y) TG_SPLIT(float2, float, float3, xy, z) TG_SPLIT(float, float2, float3, x, yz)
+TG_SPLIT(float3, float, float4, xyz, w) TG_SPLIT(float, float3, float4, x, yzw) TG_SPLIT(float2, float2, float4, xy, zw)
 void tg_split(out float a, out float b, out float c, float3 v) { a = v.x; b = v.y; c = v.z; }
 void tg_split(out float a, out float b, out float c, out float d, float4 v) { a = v.x; b = v.y; c = v.z; d = v.w; }
-void tg_split(out float2 a, out float b, float3 v) { a = v.xy; b = v.z; }
-void tg_split(out float a, out float2 b, float3 v) { a = v.x; b = v.yz; }
-void tg_split(out float3 a, out float b, float4 v) { a = v.xyz; b = v.w; }
-void tg_split(out float a, out float3 b, float4 v) { a = v.x; b = v.yzw; }
-void tg_split(out float2 a, out float2 b, float4 v) { a = v.xy; b = v.zw; }
 struct tg_rows { int none; float4 Load(int i) { int r = i & 3; return float4(r == 0, r == 1, r == 2, r == 3); } };
 #define tg_pow(x, y) pow(abs(x), y)
 #define tg_sqrt(x) sqrt(abs(x))

@@ -257,7 +257,7 @@ private:
         const std::string name = vertex ? "tg_vertex" : "tg_pixel";
         WrapperJob job = rewriter_.job(shader, vertex, name);
         job.available = available;
-        job.covers = covers;
+        job.covers = covers || options_.direct3D9Centres;
         job.pixels = vertex && covers && flow_ && flow_->pixels;
         job.farthest = !vertex && pass.vertexShader && flow_ && flow_->farthest;
         job.fogs = pass.fogs;

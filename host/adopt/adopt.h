@@ -23,6 +23,7 @@ struct AdoptOptions {
     std::string technique; // whose bindings are reported; empty: the effect's default
     int width = 1024;      // of the picture
     int height = 1024;
+    bool direct3D9Centres = false; // of pixels: meshes are drawn half a pixel off, too, as shaders of Direct3D 9 are there
 };
 
 struct Adoption {

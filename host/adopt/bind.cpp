@@ -29,40 +29,15 @@ std::string letters(std::string_view text) {
     return result;
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kBases{{{"WORLD", "WORLD"},
-                                                                                {"MODEL", "WORLD"},
-                                                                                {"OBJECT", "WORLD"},
-                                                                                {"LOCAL", "WORLD"},
-                                                                                {"OBJECTTOWORLD", "WORLD"},
-                                                                                {"OBJTOWORLD", "WORLD"},
-                                                                                {"MODELTOWORLD", "WORLD"},
-                                                                                {"LOCALTOWORLD", "WORLD"},
-                                                                                {"VIEW", "VIEW"},
-                                                                                {"CAMERA", "VIEW"},
-                                                                                {"WORLDTOVIEW", "VIEW"},
-                                                                                {"WORLDTOCAMERA", "VIEW"},
-                                                                                {"PROJECTION", "PROJECTION"},
-                                                                                {"PROJ", "PROJECTION"},
-                                                                                {"VIEWTOPROJECTION", "PROJECTION"},
-                                                                                {"WORLDVIEW", "WORLDVIEW"},
-                                                                                {"MODELVIEW", "WORLDVIEW"},
-                                                                                {"OBJECTTOVIEW", "WORLDVIEW"},
-                                                                                {"WV", "WORLDVIEW"},
-                                                                                {"VIEWPROJECTION", "VIEWPROJECTION"},
-                                                                                {"VIEWPROJ", "VIEWPROJECTION"},
-                                                                                {"WORLDTOPROJECTION", "VIEWPROJECTION"},
-                                                                                {"WORLDTOCLIP", "VIEWPROJECTION"},
-                                                                                {"VP", "VIEWPROJECTION"},
-                                                                                {"WORLDVIEWPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"WORLDVIEWPROJ", "WORLDVIEWPROJECTION"},
-                                                                                {"MODELVIEWPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"MODELVIEWPROJ", "WORLDVIEWPROJECTION"},
-                                                                                {"WORLDPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"OBJECTTOPROJECTION", "WORLDVIEWPROJECTION"},
-                                                                                {"OBJECTTOCLIP", "WORLDVIEWPROJECTION"},
-                                                                                {"FINAL", "WORLDVIEWPROJECTION"},
-                                                                                {"WVP", "WORLDVIEWPROJECTION"},
-                                                                                {"MVP", "WORLDVIEWPROJECTION"}}};
+/// Each between blanks.
+constexpr std::string_view kBases =
+    " WORLD=WORLD MODEL=WORLD OBJECT=WORLD LOCAL=WORLD OBJECTTOWORLD=WORLD OBJTOWORLD=WORLD MODELTOWORLD=WORLD LOCALTOWORLD=WORLD "
+    "VIEW=VIEW CAMERA=VIEW WORLDTOVIEW=VIEW WORLDTOCAMERA=VIEW PROJECTION=PROJECTION PROJ=PROJECTION VIEWTOPROJECTION=PROJECTION "
+    "WORLDVIEW=WORLDVIEW MODELVIEW=WORLDVIEW OBJECTTOVIEW=WORLDVIEW WV=WORLDVIEW VIEWPROJECTION=VIEWPROJECTION VIEWPROJ=VIEWPROJECTION "
+    "WORLDTOPROJECTION=VIEWPROJECTION WORLDTOCLIP=VIEWPROJECTION VP=VIEWPROJECTION WORLDVIEWPROJECTION=WORLDVIEWPROJECTION "
+    "WORLDVIEWPROJ=WORLDVIEWPROJECTION MODELVIEWPROJECTION=WORLDVIEWPROJECTION MODELVIEWPROJ=WORLDVIEWPROJECTION "
+    "WORLDPROJECTION=WORLDVIEWPROJECTION OBJECTTOPROJECTION=WORLDVIEWPROJECTION OBJECTTOCLIP=WORLDVIEWPROJECTION "
+    "FINAL=WORLDVIEWPROJECTION WVP=WORLDVIEWPROJECTION MVP=WORLDVIEWPROJECTION ";
 
 struct Form {
     std::string_view text;
@@ -84,8 +59,11 @@ constexpr std::array<Form, 13> kForms{{{"INVERSETRANSPOSE", "INVERSETRANSPOSE"},
                                        {"T", "TRANSPOSE"}}};
 
 std::optional<std::string> base(std::string_view text) {
-    const auto found = std::ranges::find(kBases, text, &std::pair<std::string_view, std::string_view>::first);
-    return found == kBases.end() ? std::nullopt : std::optional(std::string(found->second));
+    const std::string key = fmt::format(" {}=", text);
+    const std::size_t at = kBases.find(key);
+    if (at == std::string_view::npos) return std::nullopt;
+    const std::string_view rest = kBases.substr(at + key.size());
+    return std::string(rest.substr(0, rest.find(' ')));
 }
 
 /// g_mWorld, matView, m_ViewProj: the name without its author's prefixes, the whole name first.
@@ -400,7 +378,8 @@ private:
         const bool coloured = holds(name, {"col", "diffuse", "specular", "ambient", "intensity"}); // DirLight0DiffuseColor
         if (light && !coloured && holds(name, {"dir", "vec", "normal"})) return lightDirection(false);
         if (light && (holds(name, {"pos", "location"}) || text == "LIGHT" || text == "LAMP")) return position(true);
-        if (holds(name, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "halfpixel", "rendertargetsize", "aspect"}))
+        const bool r = text == "R" && parameter_.type.columns == 2; // vvvv's effects of textures
+        if (r || holds(name, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "halfpixel", "rendertargetsize", "aspect"}))
             return viewport(text);
         if (auto found = scalar(text)) return found;
         if (name == "time" || name.ends_with("time") || holds(name, {"time0_", "elapsed", "timer"})) return constant({1}, "one second");
@@ -433,6 +412,7 @@ private:
 
 std::optional<std::string> matrixName(std::string_view name) {
     std::string text = letters(name);
+    if (const std::size_t at = text.find("PRJ"); at != std::string::npos) text.replace(at, 3, "PROJ");
     for (const std::string_view end : {"MATRIX", "MTX", "XFORM", "TRANSFORM", "TM", "MAT"})
         if (text.ends_with(end) && text.size() > end.size()) {
             text.resize(text.size() - end.size());

@@ -204,8 +204,12 @@ private:
     Words modifiers() {
         Words list;
         // Some of these were names in Direct3D 9: `float4 sample = ...`.
-        while (isModifier(peek()) && peek(1).isName())
-            list.push_back(take());
+        while (isModifier(peek()) && peek(1).isName()) {
+            const bool second = !list.empty() && ((list.back().is("in") && peek().is("out")) || (list.back().is("out") && peek().is("in")));
+            const Word word = take();
+            if (second) list.back().text = "inout";
+            if (!second) list.push_back(word);
+        }
         return list;
     }
 

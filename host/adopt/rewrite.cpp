@@ -100,12 +100,13 @@ void Rewriter::printStructure(Printer& printer, const Spelling& spelling, const 
         printer.print(spelling.respelt(structure.whole));
         return printer.own(";");
     }
-    std::string head = "struct " + structure.name + " {";
-    printer.own(head);
+    Spelling members = spelling;
+    members.renamed = nullptr; // no name of the effect's
+    printer.own("struct " + structure.name + " {");
     for (const Variable& member : structure.members) {
         Words words = spelling.respelt(kept(member.modifiers, {"row_major", "column_major"}));
         append(words, spelling.respelt(member.type));
-        Words name = spelling.respelt({member.name});
+        Words name = members.respelt({member.name});
         name[0].space = true;
         append(words, name);
         append(words, spelling.respelt(member.array));

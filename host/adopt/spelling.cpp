@@ -15,59 +15,11 @@ constexpr std::array<std::string_view, 4> kKinds{"1D", "2D", "3D", "CUBE"};
 constexpr std::array<std::string_view, 5> kSamplingForms{"", "bias", "grad", "lod", "proj"};
 
 // Names in Direct3D 9's effects, words of the language later on (HLSL 2018 as DXC reads it).
-constexpr std::array<std::string_view, 53> kReserved{"line",
-                                                     "point",
-                                                     "sample",
-                                                     "triangle",
-                                                     "lineadj",
-                                                     "triangleadj",
-                                                     "interface",
-                                                     "precise",
-                                                     "linear",
-                                                     "pass",
-                                                     "noperspective",
-                                                     "export",
-                                                     "this",
-                                                     "class",
-                                                     "centroid",
-                                                     "input",
-                                                     "namespace",
-                                                     "using",
-                                                     "private",
-                                                     "public",
-                                                     "protected",
-                                                     "virtual",
-                                                     "template",
-                                                     "friend",
-                                                     "operator",
-                                                     "auto",
-                                                     "char",
-                                                     "short",
-                                                     "long",
-                                                     "signed",
-                                                     "goto",
-                                                     "explicit",
-                                                     "new",
-                                                     "delete",
-                                                     "enum",
-                                                     "union",
-                                                     "sizeof",
-                                                     "typename",
-                                                     "try",
-                                                     "catch",
-                                                     "throw",
-                                                     "mutable",
-                                                     "snorm",
-                                                     "unorm",
-                                                     "payload",
-                                                     "indices",
-                                                     "vertices",
-                                                     "primitives",
-                                                     "globallycoherent",
-                                                     "groupshared",
-                                                     "reinterpret_cast",
-                                                     "static_cast",
-                                                     "dynamic_cast"};
+constexpr std::string_view kReserved =
+    " line point sample triangle lineadj triangleadj interface precise linear pass noperspective export this class centroid input "
+    "namespace using private public protected virtual template friend operator auto char short long signed goto explicit new delete "
+    "enum union sizeof typename try catch throw mutable snorm unorm payload indices vertices primitives globallycoherent groupshared "
+    "reinterpret_cast static_cast dynamic_cast ";
 
 /// Words that are modifiers where a name follows.
 constexpr std::array<std::string_view, 12> kModifierWords{"linear", "centroid", "precise", "noperspective", "sample", "point",
@@ -83,12 +35,25 @@ template <class List>
 bool contains(const List& list, std::string_view word) {
     return std::ranges::find(list, word) != list.end();
 }
+bool contains(std::string_view words, std::string_view word) {
+    return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
+}
 
 /// `picture.Sample(name, uv)`: the name at `i` is what a later texture's method samples with.
 bool isSampledWith(const Words& words, std::size_t i) {
     if (i < 3 || !words[i - 1].is("(") || !words[i - 3].is(".")) return false;
     const std::string& method = words[i - 2].text;
     return method.starts_with("Sample") || method.starts_with("Gather") || method.starts_with("CalculateLevelOfDetail");
+}
+
+/// Of the bracket at `open`.
+std::size_t closing(const Words& words, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < words.size(); ++i) {
+        depth += words[i].is("(") ? 1 : words[i].is(")") ? -1 : 0;
+        if (depth == 0) return i;
+    }
+    return words.size() - 1;
 }
 
 /// `half3` to `float3`: SPIR-V's small types need hardware, and Direct3D 9 computes floats.
@@ -194,6 +159,24 @@ Words Spelling::respelt(const Words& words) const {
         const bool member = i > 0 && words[i - 1].is(".");
         const bool calls = i + 1 < words.size() && words[i + 1].is("(");
         const bool beforeName = i + 1 < words.size() && words[i + 1].isName();
+        if (const std::size_t end = closing(words, i + 1); calls && word.is("unroll") && i > 0 && words[i - 1].is("[") && end != i + 3) {
+            result.push_back(word); // later compilers reckon no count
+            i = end;
+            continue;
+        }
+        if (calls && (i == 0 || words[i - 1].is(";") || words[i - 1].is("{") || words[i - 1].is("}")))
+            if (const std::size_t end = closing(words, i + 1); end + 1 < words.size() && words[end + 1].is("=")) { // float4(a, b) = c;
+                const auto from = words.begin() + static_cast<std::ptrdiff_t>(i + 2);
+                const auto to = words.begin() + static_cast<std::ptrdiff_t>(end);
+                const auto last = std::find_if(to, words.end(), [](const Word& each) { return each.is(";"); });
+                result.push_back(word);
+                result.back().text = "tg_split";
+                for (const Words& part : {Words{{.text = "("}}, respelt(Words(from, to)), Words{{.text = ","}},
+                                          respelt(Words(to + 2, last)), Words{{.text = ")"}}})
+                    result.insert(result.end(), part.begin(), part.end());
+                i = static_cast<std::size_t>(last - words.begin()) - 1;
+                continue;
+            }
         if (named && isReserved(word.text)) {
             const bool keyword = (contains(kModifierWords, word.text) && beforeName) || (!legacy && contains(kNewWords, word.text));
             if (!keyword) word.text += '_';
@@ -220,6 +203,11 @@ const std::string& prelude() {
     // not load, each depth is a shifted one. The smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
+#define TG_SPLIT(A, B, V, P, Q) void tg_split(out A a, out B b, V v) { a = v.P; b = v.Q; }
+TG_SPLIT(float, float, float2, x, y) TG_SPLIT(float2, float, float3, xy, z) TG_SPLIT(float, float2, float3, x, yz)
+TG_SPLIT(float3, float, float4, xyz, w) TG_SPLIT(float, float3, float4, x, yzw) TG_SPLIT(float2, float2, float4, xy, zw)
+void tg_split(out float a, out float b, out float c, float3 v) { a = v.x; b = v.y; c = v.z; }
+void tg_split(out float a, out float b, out float c, out float d, float4 v) { a = v.x; b = v.y; c = v.z; d = v.w; }
 struct tg_rows { int none; float4 Load(int i) { int r = i & 3; return float4(r == 0, r == 1, r == 2, r == 3); } };
 #define tg_pow(x, y) pow(abs(x), y)
 #define tg_sqrt(x) sqrt(abs(x))

@@ -1,5 +1,6 @@
 #include "host/adopt/wrapper.h"
 
+#include "host/effect/constants.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cstdlib>
 #include <optional>
 
 namespace tegument::adopt {
@@ -73,10 +74,14 @@ bool isPosition(const Leaf& leaf) {
 }
 
 int arrayCount(const Words& array) {
-    int count = 0;
+    Constant count{.numbers = {array.empty() ? 0.0 : 1.0}, .integral = true};
+    std::string op = "*";
     for (const Word& word : array)
-        if (word.kind == TokenKind::Number) std::from_chars(word.text.data(), word.text.data() + word.text.size(), count);
-    return count;
+        if (word.kind == TokenKind::Number)
+            count = applyOperator(op, count, {.numbers = {std::atof(word.text.c_str())}, .integral = true}).value_or(count);
+        else if (word.is("*") || word.is("/") || word.is("+") || word.is("-"))
+            op = word.text;
+    return static_cast<int>(count.numbers[0]);
 }
 
 class Wrapping {

@@ -241,6 +241,13 @@ bool Parser::applyToPass(const Assignment& assignment, Pass& pass, States& state
     }
     if (sameStateName(name, "AlphaTestEnable") || sameStateName(name, "AlphaFunc") || sameStateName(name, "AlphaRef"))
         return alphaTest(assignment, pass);
+    const auto stage = static_cast<std::size_t>(std::max(assignment.index, 0));
+    if (findEntry(name, samplerStateEntries()) != nullptr && stage < result_.effect.samplers.size()) {
+        Assignment state = assignment; // of the samplers in the order in which they are declared; what is shown is the first technique
+        state.index = -1;
+        if (result_.effect.techniques.empty()) apply(state, samplerStateEntries(), result_.effect.samplers[stage].state, "sampler state");
+        return true;
+    }
     return applyState(assignment, "", states);
 }
 

@@ -819,9 +819,11 @@ private:
         if (!path && unread_) return failAsRead(at);
         if (!path) {
             const auto folder = options_.search ? options_.search(*name) : std::nullopt;
+            const bool theirs = toLower(fs::path(*name).filename().string()).starts_with("reshade");
             return fail(1001, at, fmt::format("cannot find include file '{}'", *name),
-                        folder ? fmt::format("-I {} finds it", shellWord(folder->string()))
-                               : fmt::format("looked for {}", fmt::join(tried, ", ")));
+                        folder   ? fmt::format("-I {} finds it", shellWord(folder->string()))
+                        : theirs ? std::string("it comes with crosire/reshade-shaders (GitHub): -I names its folder Shaders")
+                                 : fmt::format("looked for {}", fmt::join(tried, ", ")));
         }
         if (once_.contains(path->string())) return true;
         including_.push_back(fs::path(sources_[line[0].file].name).parent_path());

@@ -90,7 +90,7 @@ std::optional<BlockMember> readMember(const Reader& module, spirv_cross::TypeID 
     const SPIRType& block = module.get_type(structure);
     const SPIRType& type = module.get_type(block.member_types[index]);
     const auto base = baseOf(type);
-    if (!base || type.array.size() > 1) return {};
+    if (!base) return {};
     BlockMember member{.name = module.get_member_name(structure, index),
                        .base = *base,
                        .offset = module.type_struct_member_offset(block, index),
@@ -102,6 +102,10 @@ std::optional<BlockMember> readMember(const Reader& module, spirv_cross::TypeID 
     if (type.array.empty()) return member;
     member.elements = type.array[0];
     member.arrayStride = module.type_struct_member_array_stride(block, index);
+    for (std::size_t i = 1; i < type.array.size(); ++i) { // arrays of arrays lie one behind the other
+        member.arrayStride /= type.array[i - 1];
+        member.elements *= type.array[i];
+    }
     member.size += (member.elements - 1) * member.arrayStride;
     return member;
 }

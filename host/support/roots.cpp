@@ -112,8 +112,14 @@ fs::path parentOfNamed(const fs::path& effect) {
         for (std::string& name : quotedNames(*text)) {
             std::ranges::replace(name, '\\', '/');
             std::error_code code;
-            const fs::path written = (files[i].parent_path() / name).lexically_normal();
             const bool relative = !name.empty() && fs::path(name).is_relative() && name.find('\0') == std::string::npos;
+            fs::path written;
+            for (const fs::path& folder : {files[i].parent_path(), files.front().parent_path()}) { // as #include looks for it
+                if (!relative || fs::is_regular_file(written, code)) break;
+                written = (folder / name).lexically_normal();
+                if (fs::path(name).has_extension() && !fs::exists(written, code))
+                    written = findInAnyCase(folder, name).value_or(written).lexically_normal();
+            }
             if (!relative || !fs::is_regular_file(written, code) || resolved(written) != written) continue;
             const fs::path common = commonParent(parent, written.parent_path());
             if (common != parent && holdsStrangers(common)) continue;
@@ -163,10 +169,12 @@ Roots rootsOfEffect(const fs::path& file, const std::vector<fs::path>& named, co
 std::optional<fs::path> folderOfInclude(const std::string& name, const fs::path& effect, const Roots& roots) {
     constexpr int kLevels = 3;
     constexpr int kMostFiles = 8000;
-    std::vector<fs::path> tops = roots.folders;
     fs::path above = resolved(effect).parent_path();
+    std::vector<fs::path> tops{above}; // the nearest first
     for (int i = 0; i < kLevels && !holdsStrangers(above.parent_path()); ++i)
         add(tops, above = above.parent_path());
+    for (const fs::path& folder : roots.folders)
+        add(tops, folder);
     std::string written = name;
     std::ranges::replace(written, '\\', '/');
     const fs::path wanted = fs::path(written).lexically_normal();

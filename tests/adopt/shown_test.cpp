@@ -77,6 +77,26 @@ TEST(ShownPasses, of_later_models_take_POSITION_where_nothing_is_SV_Position) {
     EXPECT_NE(writes("out float4 a : SV_Position, out float4 b : POSITION").find(": POSITION0"), std::string::npos);
 }
 
+TEST(ShownPasses, give_their_samplers_states) {
+    const Effect effect =
+        foreign("texture a, b; sampler A = sampler_state { Texture = <a>; }; sampler B = sampler_state { Texture = <b>; };\n"
+                "float4 PS(float2 t : TEXCOORD0) : COLOR { return tex2D(A, t) + tex2D(B, t); }\n"
+                "technique T { pass P { AddressU[1] = CLAMP; MinFilter[0] = LINEAR; PixelShader = compile ps_2_0 PS(); } }\n"
+                "technique Later { pass P { AddressU[0] = MIRROR; PixelShader = compile ps_2_0 PS(); } }\n");
+    EXPECT_EQ(effect.samplers[0].state.minFilter, Filter::Linear);
+    EXPECT_EQ(effect.samplers[0].state.addressU, Address::Wrap) << "of the technique that is shown";
+    EXPECT_EQ(effect.samplers[1].state.addressU, Address::Clamp);
+}
+
+TEST(ShownPasses, take_in_out_for_inout) {
+    const Effect effect = adopted(foreign("float4x4 m : WORLDVIEWPROJECTION;\nvoid VS(in out float4 p : POSITION) { p = mul(p, m); }\n"
+                                          "float4 PS() : COLOR { return 1; }\n" +
+                                          std::string("technique T { ") + kPass + " }"))
+                              .effect;
+    EXPECT_NE(effect.techniques[0].passes[0].vertexShader->code.find("inout float4 p"), std::string::npos)
+        << effect.techniques[0].passes[0].vertexShader->code;
+}
+
 TEST(ShownPasses, run_behind_a_script_that_names_none) {
     const Effect effect = adopted(foreign(kShaders + "technique T < string Script = \"RenderColorTarget0=;\"; > { " + kPass + " }")).effect;
     ASSERT_EQ(effect.techniques[0].script.commands.size(), 2U);

@@ -51,6 +51,39 @@ TEST(Survey, goes_on_where_a_driver_brings_the_process_down) {
     EXPECT_NE((ran.out + ran.err).find("signal 6"), std::string::npos) << ran.out << ran.err;
 }
 
+TEST(SurveyAgainstMicrosoft, says_which_picture_is_the_same_and_how_far_off_another_is) {
+    const fs::path folder = scratch() / "against";
+    fs::create_directories(folder);
+    for (const char* name : {"one_mat.fx", "fetches.fx", "d3d10_lambert.fx"}) // the second one: tests/d3d/foreign_test.cpp says why
+        fs::copy_file(fs::path("tests/adopt/effects") / name, folder / name, fs::copy_options::overwrite_existing);
+    const fs::path pictures = scratch() / "against_pictures";
+    const fs::path sheet = scratch() / "against.png";
+    const Ran ran = tegument({"survey", folder.string(), "--against-microsoft", "--size", "64", "--target", "none", "--json", "-o",
+                              pictures.string(), "--sheet", sheet.string()});
+    if (ran.err.find("TG3104") != std::string::npos) GTEST_SKIP() << ran.err;
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const Json files = Json::parse(ran.out)["files"]; // sorted by name
+    EXPECT_EQ(files[0]["microsoft"], "not compared: its technique is not of Direct3D 9");
+    EXPECT_TRUE(files[0]["error"].is_null());
+    EXPECT_EQ(files[1]["microsoft"], "differs");
+    EXPECT_GT(files[1]["error"].get<double>(), 0.02);
+    EXPECT_EQ(files[2]["microsoft"], "equal");
+    EXPECT_LT(files[2]["error"].get<double>(), 0.02);
+    EXPECT_TRUE(fs::exists(pictures / "one_mat.microsoft.png"));
+    const auto pairs = loadImage(sheet);
+    ASSERT_TRUE(pairs);
+    EXPECT_EQ(pairs->width, 6 * 64 + 5 * 4) << "three pairs";
+}
+
+TEST(SurveyAgainstMicrosoft, says_what_it_needs_and_how_to_get_it) {
+    const Ran ran =
+        tegument({"survey", "tests/adopt/effects", "--against-microsoft"}, {{"TEGUMENT_D3D_CLIENT", "/nowhere/d3d_client.exe"}});
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("error TG3104: Microsoft's pictures cannot be drawn: "), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("./bootstrap test"), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.out, "");
+}
+
 TEST(Survey, has_an_example_for_continuous_integration_that_runs) {
     const std::string run = std::string("TEGUMENT=") + TEGUMENT_PROGRAM + " sh docs/samples/ci/check-effects.sh ";
     EXPECT_EQ(std::system((run + "tests/adopt/effects >/dev/null 2>&1").c_str()), 0);

@@ -197,26 +197,4 @@ fs::path missingFile() {
     return drawings() / "missing";
 }
 
-Result<Image> readFloats(const fs::path& path) {
-    const auto bytes = readFile(path);
-    if (!bytes) return bytes.error();
-    std::array<std::uint32_t, 3> head{};
-    if (bytes->size() >= sizeof head) std::memcpy(head.data(), bytes->data(), sizeof head);
-    const std::size_t count = std::size_t{head[0]} * head[1] * head[2];
-    if (count == 0 || bytes->size() != sizeof head + count * sizeof(float))
-        return inputError(5201, {.file = path.string()}, "not a file of raw floats, or cut short");
-    Image image{.width = static_cast<int>(head[0]), .height = static_cast<int>(head[1]), .channels = static_cast<int>(head[2])};
-    image.pixels.resize(count);
-    std::memcpy(image.pixels.data(), bytes->data() + sizeof head, count * sizeof(float));
-    return image;
-}
-
-Result<void> writeFloats(const fs::path& path, const Image& image) {
-    const std::array head = {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height),
-                             static_cast<std::uint32_t>(image.channels)};
-    std::string bytes(reinterpret_cast<const char*>(head.data()), sizeof head);
-    bytes.append(reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(float));
-    return writeFile(path, bytes);
-}
-
 } // namespace tegument::test

@@ -75,8 +75,4 @@ inline constexpr int kParts = TEGUMENT_DRAWING_PARTS;
 /// Why nothing was drawn; there is no such file otherwise.
 [[nodiscard]] std::filesystem::path missingFile();
 
-/// Raw floats: width, height, channels, values.
-[[nodiscard]] Result<Image> readFloats(const std::filesystem::path& path);
-[[nodiscard]] Result<void> writeFloats(const std::filesystem::path& path, const Image& image);
-
 } // namespace tegument::test

@@ -3,6 +3,7 @@
 #include "host/image/compare.h"
 #include "host/support/file.h"
 #include "tests/d3d/difference.h"
+#include "tools/direct3d9/job.h"
 
 #include <gtest/gtest.h>
 

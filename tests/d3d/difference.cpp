@@ -1,6 +1,7 @@
 #include "tests/d3d/difference.h"
 
 #include "host/run/target_desc.h"
+#include "tools/direct3d9/job.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "tests/d3d/engines.h"
 #include "tests/d3d/fur_scene.h"
 #include "tests/d3d/job_file.h"
+#include "tools/direct3d9/reference.h"
 #include "tools/emit/flatten.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ Result<void> drawWithVulkan(gpu::Device& device, const Mesh& mesh, const Case& d
     if (!staged) return staged.error();
     if (const auto done = stage.draw(*staged, staged->frame.items.size()); !done) return done.error();
     const run::ObjectRun& run = staged->runs.front();
-    const auto textures = writeTextures(device, stage, run.prepared);
+    const auto textures = writeTextures(device, stage, run.prepared, drawings());
     if (!textures) return textures.error();
     for (const Engine engine : kDirect3D) {
         if (!drawnBy(drawn, engine)) continue;
@@ -66,7 +67,7 @@ std::string statusOf(const Case& drawn, Engine engine) {
 
 /// What this machine lacks, and a device where it lacks nothing.
 std::string missing(std::optional<gpu::Device>& device) {
-    if (std::string reason = clientsMissing(); !reason.empty()) return reason;
+    if (std::string reason = direct3dClientMissing(); !reason.empty()) return reason;
     if (!compilerAvailable(Compiler::Dxc)) return "DXC is not installed";
     auto created = gpu::Device::create({});
     if (!created) return format(created.error());

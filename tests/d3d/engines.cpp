@@ -5,6 +5,7 @@
 #include "tools/direct3d/microsoft.h"
 #include "tools/direct3d/microsoft_messages.h"
 #include "tools/direct3d/wine.h"
+#include "tools/direct3d9/reference.h"
 #include "tools/emit/emit.h"
 
 #include <fmt/format.h>
@@ -107,24 +108,6 @@ Result<ProcessResult> runInWine12(const fs::path& program, const std::vector<std
     return runProcess(*command, seconds);
 }
 
-Result<fs::path> clientIn(const fs::path& folder) {
-    std::error_code code;
-    const fs::path client = folder / "d3d_client.exe";
-    const fs::path library = folder / "d3dcompiler_47.dll";
-    fs::remove(client, code);
-    fs::remove(library, code);
-    fs::create_symlink(TEGUMENT_D3D_CLIENT, client, code);
-    if (!code) fs::create_symlink(microsoftCompilerLibrary(), library, code);
-    if (code) return machineError(5002, fmt::format("cannot link the client into {}: {}", folder.string(), code.message()));
-    return client;
-}
-
-std::string clientsMissing() {
-    if (std::string missing = microsoftCompilerMissing(); !missing.empty()) return missing;
-    std::error_code code;
-    return fs::exists(TEGUMENT_D3D_CLIENT, code) ? "" : "d3d_client.exe was not built (g++-mingw-w64-x86-64 was not installed)";
-}
-
 Result<std::vector<std::string>> compileAll(const std::vector<Case>& cases) {
     std::map<std::string, MicrosoftJob> byFile;
     for (const Case& drawn : cases)
@@ -156,7 +139,7 @@ Result<void> emitAll(const std::vector<Case>& cases) {
 }
 
 Result<void> drawAll(Engine engine, const std::vector<Case>& cases, const std::vector<std::string>& jobFiles) {
-    const auto client = clientIn(drawings());
+    const auto client = direct3dClientIn(drawings());
     if (!client) return client.error();
     for (std::size_t done = 0; done < cases.size();) {
         const auto lines = drawBatch(engine, *client, std::span(cases).subspan(done), std::span(jobFiles).subspan(done));

@@ -9,12 +9,6 @@
 
 namespace tegument::test {
 
-/// Empty when the clients can run; otherwise what is missing.
-[[nodiscard]] std::string clientsMissing();
-
-/// The client with Microsoft's compiler beside it, linked into the folder: Wine takes a native library from there, and d3dx9_43 wants one.
-[[nodiscard]] Result<std::filesystem::path> clientIn(const std::filesystem::path& folder);
-
 /// Runs a Windows program with all that Direct3D 12 wants of this machine: tests/d3d/layer/layer.cpp says what. Others ask for none of it.
 [[nodiscard]] Result<ProcessResult> runInWine12(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                                                 double seconds);

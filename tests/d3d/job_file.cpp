@@ -22,11 +22,6 @@ namespace {
 
 using run::Numbers;
 
-template <class T>
-void append(std::string& bytes, const T* values, std::size_t count) {
-    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
-}
-
 /// Shortest text that reads back as the same float.
 std::string text(const Numbers& numbers) {
     std::string line;
@@ -66,38 +61,6 @@ std::string targetLines(const run::Prepared& prepared) {
                              target.extent.height, run::d3dName(target.format), target.mips);
     }
     return lines;
-}
-
-Result<std::uint32_t> texelFormat(const std::string& name, gpu::Format format) {
-    using gpu::Format; // in the order of client/pixels.h
-    constexpr std::array kFormats = {Format::RGBA8,   Format::RGBA8Srgb, Format::RGBA16, Format::R16F,   Format::RG16F,
-                                     Format::RGBA16F, Format::R32F,      Format::RG32F,  Format::RGBA32F};
-    const auto* found = std::ranges::find(kFormats, format);
-    if (found == kFormats.end()) return machineError(5002, fmt::format("{} has a format that the clients do not read", name));
-    return static_cast<std::uint32_t>(found - kFormats.begin());
-}
-
-std::string header(std::uint32_t format, std::uint32_t width, std::uint32_t height, std::uint32_t levels, std::uint32_t faces) {
-    const std::array numbers = {format, width, height, levels, faces};
-    std::string bytes;
-    append(bytes, numbers.data(), numbers.size());
-    return bytes;
-}
-
-/// All levels of all faces as the device has them: mip chains made by each engine in its own way would differ in rounding.
-Result<std::string> textureBytes(gpu::Device& device, const std::string& name, gpu::Texture& texture) {
-    const gpu::TextureDesc& desc = texture.desc();
-    const auto format = texelFormat(name, desc.format);
-    if (!format) return format.error();
-    const std::uint32_t faces = desc.cube ? 6 : 1;
-    std::string bytes = header(*format, desc.width, desc.height, desc.mips, faces);
-    for (std::uint32_t face = 0; face < faces; ++face)
-        for (std::uint32_t level = 0; level < desc.mips; ++level) {
-            const auto texels = device.readback(texture, level, face);
-            if (!texels) return texels.error();
-            append(bytes, texels->data(), texels->size());
-        }
-    return bytes;
 }
 
 std::string blendLine(std::size_t slot, const TargetBlend& blend) {
@@ -186,16 +149,6 @@ std::string declarationLines(const run::RunInput& input, const run::Prepared& pr
 
 } // namespace
 
-Result<void> writeMeshFile(const fs::path& path, const Mesh& mesh) {
-    const std::vector<float> vertices = run::interleave(mesh);
-    const std::array counts = {static_cast<std::uint32_t>(mesh.positions.size()), static_cast<std::uint32_t>(mesh.indices.size())};
-    std::string bytes;
-    append(bytes, counts.data(), counts.size());
-    append(bytes, vertices.data(), vertices.size());
-    append(bytes, mesh.indices.data(), mesh.indices.size());
-    return writeFile(path, bytes);
-}
-
 std::string effectFile(const Case& drawn, Engine engine) {
     if (engine == Engine::Direct3D12) return drawn.effectName() + ".emitted\\" + drawn.effect.stem().string();
     return drawn.effectName() + (engine == Engine::Direct3D9 ? ".fx2.fxo" : ".fx4.fxo");
@@ -203,22 +156,6 @@ std::string effectFile(const Case& drawn, Engine engine) {
 
 std::string entryFile(const Case& drawn, const ShaderReference& shader) {
     return drawn.effectName() + "." + shader.entry + ".cso";
-}
-
-Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const run::Prepared& prepared, const fs::path& folder) {
-    std::string lines;
-    for (const auto& entry : prepared.textures) {
-        gpu::Texture* texture = stage.resources().texture(prepared, entry.first);
-        assert(texture); // the frame has sampled it
-        const auto bytes = textureBytes(device, entry.first, *texture);
-        if (!bytes) return bytes.error();
-        const std::string file = contentHash(*bytes) + ".texture";
-        std::error_code code;
-        if (!fs::exists(folder / file, code))
-            if (const auto written = writeFile(folder / file, *bytes); !written) return written.error();
-        lines += fmt::format("texture {} {}\n", entry.first, file);
-    }
-    return lines;
 }
 
 namespace {

@@ -3,15 +3,9 @@
 
 #include "host/run/stage.h"
 #include "tests/d3d/cases.h"
+#include "tools/direct3d9/job.h"
 
 namespace tegument::test {
-
-/// Vertices and indices, as the Vulkan host uploads them.
-[[nodiscard]] Result<void> writeMeshFile(const std::filesystem::path& path, const Mesh& mesh);
-
-/// The textures that a technique samples, as its frame was drawn on Vulkan: written as files, named by lines of the job.
-[[nodiscard]] Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const run::Prepared& prepared,
-                                                const std::filesystem::path& folder = drawings());
 
 /// Writes `<case>.<engine>.job`; returns its file name. `textures`: what writeTextures returned.
 [[nodiscard]] Result<std::string> writeJob(const Case& drawn, Engine engine, const run::ObjectRun& run, const std::string& textures);

@@ -372,6 +372,17 @@ TEST_F(Unpacked, the_working_directory_holds_what_is_named_absolutely) {
     EXPECT_NE(elsewhere.find("TG1014"), std::string::npos) << "the working directory does not hold the effect";
 }
 
+TEST_F(Unpacked, a_file_that_is_named_in_another_case_belongs_to_the_project) {
+    write("Shader/EdgeLine.fxsub", "float gEdge;");
+    const fs::path effect = write("Outline/Red/a.fx", "#include \"../../shader/edgeline.fxsub\"\n");
+    const auto loaded = loadEffect(effect, {.lenient = true});
+    EXPECT_TRUE(loaded) << format(loaded.error());
+    write("ray.conf", "float gRay;");
+    write("Light/disk.fxsub", "#include \"../../ray.conf\"\n"); // from where the effect lies
+    const auto from = loadEffect(write("Light/Red/b.fx", "#include \"../disk.fxsub\"\n"), {.lenient = true});
+    EXPECT_TRUE(from) << format(from.error());
+}
+
 TEST_F(Unpacked, a_missing_include_is_looked_for_and_its_folder_named) {
     write("shaders/lib/common.fxh", "float gCommon;");
     write("shaders/lib/inner/part.fxh", "float gPart;");
@@ -388,6 +399,16 @@ TEST_F(Unpacked, a_missing_include_is_looked_for_and_its_folder_named) {
     EXPECT_EQ(hint(write("shaders/sm3/b.fx", "#include <inner\\part.fxh>\n")), lib) << "of a name with a folder";
     EXPECT_EQ(hint(write("c.fx", "#include \"Common.FXH\"\n")), lib) << "in another case";
     EXPECT_EQ(hint(write("shaders/sm3/d.fx", "#include \"nowhere.fxh\"\n")), "");
+    write("other/common.fxh", "float gOther;");
+    EXPECT_EQ(hint(plain), lib) << "the nearest one";
+}
+
+TEST_F(Unpacked, the_header_of_reshade_is_said_to_come_with_its_effects) {
+    const std::string text = said(write("a.fx", "#include \"ReShade.fxh\"\n"));
+    EXPECT_NE(text.find("TG1001: cannot find include file 'ReShade.fxh'; it comes with crosire/reshade-shaders (GitHub): -I names its "
+                        "folder Shaders"),
+              std::string::npos)
+        << text;
 }
 
 } // namespace

@@ -1,8 +1,9 @@
-// tegument survey: what of a folder of effects is read, compiles, draws, and what its pictures show.
+// tegument survey: what of a folder of effects is read, compiles, draws, what its pictures show, and whether Microsoft's are the same.
 
 #include "host/effect/reshade.h"
 #include "host/support/children.h"
 #include "host/support/system.h"
+#include "host/support/temporary.h"
 #include "tools/check/check.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
@@ -10,6 +11,8 @@
 #include "tools/cli/output.h"
 #include "tools/cli/picture_files.h"
 #include "tools/cli/sheet.h"
+#include "tools/direct3d9/job.h"
+#include "tools/direct3d9/reference.h"
 
 #include <fmt/format.h>
 
@@ -37,6 +40,8 @@ struct SurveyOptions {
     std::string sheet;    // file; empty: none is written
     std::string pictureIn;
     std::string device;
+    bool againstMicrosoft = false;
+    fs::path reference; // folder of what that needs
     bool json = false;
 };
 
@@ -49,9 +54,13 @@ struct Row {
     std::string picture;                        // what it shows: pictureClass()
     std::string why;                            // the first message of what went wrong, with its place
     std::string construct;                      // its text alone
+    std::string microsoft;                      // "equal", "differs", "black", "not compared: it is not of Direct3D 9"
+    std::optional<double> error;                // of ours, as a part of Microsoft's
     bool changes = false;                       // a picture that it is given: an effect of ReShade
 };
 
+constexpr const char* kMicrosofts = ".microsoft.png";
+const std::string kNotCompared = "not compared: ";
 constexpr double kLongestFile = 300; // seconds for one file; the longest seen takes 9
 
 struct Found {
@@ -142,8 +151,8 @@ bool sameOnDisplay(const Image& a, const Image& b) {
     return std::ranges::equal(a.pixels, b.pixels, [](float x, float y) { return std::abs(x - y) < 0.5F / 255; });
 }
 
-fs::path pictureFile(const SurveyOptions& options, const fs::path& file) {
-    std::string name = fs::relative(file, options.folder).replace_extension(".png").string();
+fs::path pictureFile(const SurveyOptions& options, const fs::path& file, const char* ending = ".png") {
+    std::string name = fs::relative(file, options.folder).replace_extension(ending).string();
     std::ranges::replace(name, '/', '.');
     return fs::path(options.pictures) / name;
 }
@@ -169,6 +178,12 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
         job->run.technique = kPictureTechnique;
         const auto before = assets::runScene(device, job->effect, job->scene, job->run);
         if (before && sameOnDisplay(before->image, result->image)) row.picture = "unchanged";
+    }
+    if (options.againstMicrosoft) {
+        ReferencePicture reference{.name = contentHash(row.file), .file = file, .load = loadIn(options)};
+        const Mesh* mesh = job->scene.meshes.empty() ? nullptr : &job->scene.meshes.front();
+        drawForReference(device, reference, mesh, job->scene.workspace, job->run, options.reference);
+        row.microsoft = reference.why.empty() ? "" : kNotCompared + reference.why;
     }
     if (options.pictures.empty()) return;
     const PictureOptions pictures{.displayReferred = job->effect.displayColours};
@@ -216,8 +231,10 @@ void printSums(const std::vector<Row>& rows) {
     std::map<std::string, std::map<std::string, int>> targets;
     std::map<std::string, int> drawn;
     std::map<std::string, int> pictures;
+    std::map<std::string, int> microsoft;
     Reasons refused;
     Reasons notDrawn;
+    Reasons notCompared;
     std::map<std::string, Reasons> failed; // by target
     for (const Row& row : rows) {
         ++read[row.read];
@@ -229,6 +246,8 @@ void printSums(const std::vector<Row>& rows) {
         if (row.drawn.empty()) continue;
         ++drawn[row.drawn];
         if (!row.picture.empty()) ++pictures[row.picture];
+        if (row.microsoft.starts_with(kNotCompared)) ++notCompared["not compared"][row.microsoft.substr(kNotCompared.size())];
+        if (!row.microsoft.empty()) ++microsoft[row.microsoft.substr(0, row.microsoft.find(':'))];
         if (row.drawn.starts_with("not drawn")) ++notDrawn[row.drawn][row.construct];
     }
     fmt::print("\n{} files\n", rows.size());
@@ -237,6 +256,7 @@ void printSums(const std::vector<Row>& rows) {
         printCounts(target, counts, failed[target]);
     printCounts("drawing", drawn, notDrawn);
     printCounts("picture", pictures, {});
+    printCounts("Microsoft's", microsoft, notCompared);
 }
 
 Json rowsJson(const std::vector<Row>& rows) {
@@ -247,6 +267,8 @@ Json rowsJson(const std::vector<Row>& rows) {
                         {"targets", row.targets},
                         {"drawn", row.drawn},
                         {"picture", row.picture},
+                        {"microsoft", row.microsoft},
+                        {"error", row.error ? Json(*row.error) : Json()},
                         {"why", row.why},
                         {"construct", row.construct}});
     return json;
@@ -259,6 +281,8 @@ void printRows(const std::vector<Row>& rows) {
             line += fmt::format(", {} {}", target, verdict);
         if (!row.drawn.empty()) line += ", " + row.drawn;
         if (!row.picture.empty() && row.drawn == "drawn") line += ", " + row.picture;
+        if (!row.microsoft.empty()) line += ", Microsoft's: " + row.microsoft;
+        if (row.error) line += fmt::format(", error {:.4f}", *row.error);
         fmt::print("{}\n", line);
         if (!row.why.empty()) fmt::print("    {}\n", row.why);
     }
@@ -309,6 +333,7 @@ Row rowOf(const ChildAnswer& answer, const std::string& file) {
         row.read = json.value("read", "");
         row.drawn = json.value("drawn", "");
         row.picture = json.value("picture", "");
+        row.microsoft = json.value("microsoft", "");
         row.targets = json.value("targets", std::map<std::string, std::string>());
         row.why = json.value("why", "");
         row.construct = json.value("construct", "");
@@ -351,7 +376,37 @@ std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path
     return rows;
 }
 
-/// All that were drawn, in the order of the table.
+/// Of those that are drawn and not yet said not to be compared.
+Result<void> compareWithMicrosoft(const SurveyOptions& options, std::vector<Row>& rows) {
+    std::vector<ReferencePicture> pictures;
+    std::vector<Row*> compared;
+    for (Row& row : rows) {
+        if (row.picture.empty() || !row.microsoft.empty()) continue;
+        pictures.push_back({.name = contentHash(row.file), .file = row.file, .load = loadIn(options)});
+        compared.push_back(&row);
+    }
+    if (auto drawn = drawByMicrosoft(pictures, options.reference); !drawn) return drawn;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        Row& row = *compared[i];
+        const std::string& name = pictures[i].name;
+        const auto error = pictures[i].why.empty() ? referenceError(options.reference, name) : Result<ReferenceError>(ReferenceError{});
+        if (!error) return error.error();
+        row.microsoft = !pictures[i].why.empty() ? kNotCompared + pictures[i].why
+                        : error->equal()         ? "equal"
+                        : error->black           ? "black"
+                                                 : "differs";
+        if (!pictures[i].why.empty()) continue;
+        row.error = error->relative;
+        if (options.pictures.empty()) continue;
+        const auto image = readFloats(options.reference / (name + ".picture.f32"));
+        if (!image) return image.error();
+        if (auto written = writePicture({.displayReferred = true}, pictureFile(options, row.file, kMicrosofts), *image); !written)
+            return written;
+    }
+    return {};
+}
+
+/// All that were drawn, in the order of the table; Microsoft's to the right of each.
 Result<void> writeSheet(const SurveyOptions& options, const std::vector<Row>& rows) {
     constexpr int kColumns = 12;
     constexpr int kGap = 4;
@@ -360,19 +415,34 @@ Result<void> writeSheet(const SurveyOptions& options, const std::vector<Row>& ro
         if (row.picture.empty()) continue;
         auto image = loadImage(pictureFile(options, row.file));
         if (!image) return image.error();
+        images.push_back(*image);
+        if (!options.againstMicrosoft) continue;
+        if (row.error) image = loadImage(pictureFile(options, row.file, kMicrosofts));
+        if (!image) return image.error();
+        if (!row.error) std::ranges::fill(image->pixels, 1.0F); // nothing to compare with
         images.push_back(std::move(*image));
     }
     if (images.empty()) return {};
     return writePng(options.sheet, contactSheet(images, kColumns, kGap), PngEncoding::Raw);
 }
 
-int survey(const SurveyOptions& options) {
+int survey(SurveyOptions options) {
     const auto targets = targetsOf(options);
     if (!targets) return fail(targets.error(), options.json);
     if (!options.sheet.empty())
         if (const auto can = checkOutput(options.sheet, {}); !can) return fail(can.error(), options.json);
     if (!options.pictures.empty())
         if (const auto folder = checkFolder(options.pictures); !folder) return fail(folder.error(), options.json);
+    std::optional<Temporary> reference;
+    if (options.againstMicrosoft) {
+        if (const std::string missing = direct3dClientMissing(); !missing.empty())
+            return fail(
+                machineError(3104, "Microsoft's pictures cannot be drawn: " + missing,
+                             "./bootstrap test brings Wine, Microsoft's compiler and d3d_client.exe; TEGUMENT_D3D_CLIENT names the last"),
+                options.json);
+        reference.emplace(newTemporaryFolder());
+        options.reference = reference->path();
+    }
     const auto found = effectsIn(options.folder);
     if (!found) return fail(found.error(), options.json);
     warn(found->unread);
@@ -385,6 +455,8 @@ int survey(const SurveyOptions& options) {
     for (const Row& row : rows)
         if (row.read == "read") good.emplace_back(row.file);
     check(good, inWine, options, rows);
+    if (options.againstMicrosoft)
+        if (const auto compared = compareWithMicrosoft(options, rows); !compared) return fail(compared.error(), options.json);
     if (!options.sheet.empty())
         if (const auto written = writeSheet(options, rows); !written) return fail(written.error(), options.json);
     if (options.json) {
@@ -408,6 +480,8 @@ void addSurvey(CLI::App& program, Action& action) {
     command->add_option("--size", options->size, "Picture size in pixels")->capture_default_str();
     CLI::Option* output = command->add_option("-o,--output", options->pictures, "Folder for the pictures; without it none are written");
     command->add_option("--sheet", options->sheet, "All of them in one PNG, in the order of the table")->needs(output);
+    command->add_flag("--against-microsoft", options->againstMicrosoft,
+                      "Draw those of Direct3D 9 by Microsoft's binaries in Wine, too, and say how far ours are off");
     command->add_option("--picture-in", options->pictureIn, "What effects of ReShade change; default: a scene of our own");
     command->add_option("--device", options->device, "Part of the Vulkan device's name");
     command->add_flag("--json", options->json, "Print JSON");

@@ -202,6 +202,28 @@ private:
         device()->SetRenderState(D3DRS_ZENABLE, D3DZB_TRUE); // as on a device with a depth buffer of its own
     }
 
+    /// Pixel shaders of model 3 meet no fixed function: programs that draw sprites by them bring a shader that does the same.
+    void setSpriteShader(UINT pass) {
+        D3DXPASS_DESC desc{};
+        must(effect_->GetPassDesc(effect_->GetPass(technique_, pass), &desc), "GetPassDesc");
+        const bool meets = !desc.pPixelShaderFunction || D3DXGetShaderVersion(desc.pPixelShaderFunction) < D3DPS_VERSION(3, 0);
+        if (desc.pVertexShaderFunction || meets) return;
+        const std::string source = "float4x4 m : register(c0); struct V { float4 p : POSITION; float4 c : COLOR0; float2 t0 : TEXCOORD0; "
+                                   "float2 t1 : TEXCOORD1; float2 t2 : TEXCOORD2; float2 t3 : TEXCOORD3; }; "
+                                   "V main(V v) { v.p = mul(v.p, m); return v; }";
+        Com<ID3DXBuffer> code;
+        must(D3DXCompileShader(source.data(), static_cast<UINT>(source.size()), nullptr, nullptr, "main", "vs_3_0", 0, code.put(), nullptr,
+                               nullptr),
+             "D3DXCompileShader");
+        Com<IDirect3DVertexShader9> shader;
+        must(device()->CreateVertexShader(static_cast<const DWORD*>(code->GetBufferPointer()), shader.put()), "CreateVertexShader");
+        D3DXMATRIX placed;
+        device()->GetTransform(D3DTS_PROJECTION, &placed);
+        D3DXMatrixTranspose(&placed, &placed);
+        device()->SetVertexShader(shader.get());
+        device()->SetVertexShaderConstantF(0, &placed.m[0][0], 4);
+    }
+
     /// Samplers that name no texture read what a program puts there.
     void setStages(UINT pass) {
         D3DXPASS_DESC desc{};
@@ -231,6 +253,7 @@ private:
         device()->GetRenderState(D3DRS_CULLMODE, &cull);
         if (covers) device()->SetRenderState(D3DRS_CULLMODE, D3DCULL_NONE);
         setStages(pass);
+        setSpriteShader(pass);
         must(device()->SetVertexDeclaration(declaration_.get()), "SetVertexDeclaration");
         must(device()->SetStreamSource(0, streams.mesh.vertices.get(), 0, kVertexBytes), "SetStreamSource");
         must(device()->SetStreamSource(1, streams.made.get(), 0, kMadeFloats * sizeof(float)), "SetStreamSource");
@@ -240,6 +263,7 @@ private:
         device()->SetRenderState(D3DRS_CULLMODE, cull); // End() restores what the effect has set, and no more
         must(effect_->EndPass(), "EndPass");
         must(effect_->End(), "End");
+        device()->SetVertexShader(nullptr);
         must(device()->EndScene(), "EndScene");
     }
 

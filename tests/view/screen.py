@@ -87,7 +87,8 @@ def begin(command, **how):
 
 
 class Screen:
-    def __init__(self, width, height):
+    def __init__(self, width, height, scale=1):
+        """`scale` 2: of a screen with twice the usual number of pixels to the inch."""
         self.width, self.height = width, height
         reader, writer = os.pipe()
         command = ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "-noreset"]
@@ -97,6 +98,10 @@ class Screen:
             self.name = ":" + numbers.readline().strip()
         self.display = xdisplay.Display(self.name)
         self.root = self.display.screen().root
+        if scale != 1:  # where desktops write it, and GLFW reads it
+            resources = f"Xft.dpi:\t{96 * scale:g}\n".encode()
+            self.root.change_property(self.display.intern_atom("RESOURCE_MANAGER"), self.display.intern_atom("STRING"), 8, resources)
+            self.display.sync()
 
     def close(self):
         self.display.close()
@@ -135,6 +140,23 @@ class Screen:
         for code in reversed(codes):
             xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
+
+    def click(self, x, y, button=1):
+        """Slow enough for a program that looks at the mouse once a frame."""
+        self.move(x, y)
+        time.sleep(0.1)
+        xtest.fake_input(self.display, X.ButtonPress, button)
+        self.display.sync()
+        time.sleep(0.1)
+        xtest.fake_input(self.display, X.ButtonRelease, button)
+        self.display.sync()
+
+    KEYS = {"_": "underscore", " ": "space", "/": "slash", ".": "period", "-": "minus", ":": "colon", "~": "asciitilde", "=": "equal", "[": "bracketleft", "]": "bracketright"}
+
+    def type(self, text):
+        for letter in text:
+            shifted = letter.isupper() or letter in "_:~"
+            self.press(self.KEYS.get(letter, letter), *(("Shift_L",) if shifted else ()))
 
     def wheel(self, up):
         for kind in (X.ButtonPress, X.ButtonRelease):

@@ -37,24 +37,25 @@ void label(const std::string& text, float x, float bottom, bool endsThere, const
 
 } // namespace
 
-void drawBorder(double border, const BesideText& text, const Area& picture, float right, float bottom) {
-    const Span all{.least = picture.x + 3, .most = std::min(picture.x + picture.width, right) - 3};
+void drawBorder(double border, const BesideText& text, const Area& picture) {
+    const float margin = 0.5F * ImGui::GetFontSize();
+    float bottom = picture.y + picture.height - margin;
+    const Span all{.least = picture.x + 3, .most = picture.x + picture.width - 3};
     const float x = picture.x + static_cast<float>(border) * picture.width;
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    bottom -= kPanelMargin;
-    label(text.error, all.least + kPanelMargin, bottom, false, all);
+    label(text.error, all.least + margin, bottom, false, all);
     bottom -= heightOf(text.error, all) + 0.4F * line;
     if (text.colours) {
         const std::string what = "error of " + text.right + " against " + text.left;
-        label(what, all.least + kPanelMargin, bottom, false, all);
-        label("black: a thousandth of the mean, red: all of it", all.least + kPanelMargin, bottom - heightOf(what, all) - 0.4F * line,
-              false, all);
+        label(what, all.least + margin, bottom, false, all);
+        label("black: a thousandth of the mean, red: all of it", all.least + margin, bottom - heightOf(what, all) - 0.4F * line, false,
+              all);
         return;
     }
-    label(text.left, x - kPanelMargin, bottom, true, all);
-    const float needs = x + 2 * kPanelMargin + ImGui::CalcTextSize(text.right.c_str()).x;
+    label(text.left, x - margin, bottom, true, all);
+    const float needs = x + 2 * margin + ImGui::CalcTextSize(text.right.c_str()).x;
     // Above the other's name where there is no room.
-    label(text.right, x + kPanelMargin, needs > all.most ? bottom - heightOf(text.left, all) - 0.4F * line : bottom, false, all);
+    label(text.right, x + margin, needs > all.most ? bottom - heightOf(text.left, all) - 0.4F * line : bottom, false, all);
     ImGui::GetBackgroundDrawList()->AddLine(ImVec2(x, picture.y), ImVec2(x, picture.y + picture.height), kLine, 1);
 }
 

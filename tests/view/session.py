@@ -130,6 +130,13 @@ class View:
 
         return self.wait(f"a control '{name}' of {sorted(self.places())}", stands)
 
+    def crop(self, picture, name):
+        """What of the screen a panel or a control takes."""
+        left, top, width, height = (round(value) for value in self.place(name))
+        width, height = min(width, picture.width - left), min(height, picture.height - top)
+        rows = (picture.pixels[(y * picture.width + left) * 3:(y * picture.width + left + width) * 3] for y in range(top, top + height))
+        return screens.Picture(width, height, b"".join(rows))
+
     def click(self, name):
         left, top, width, height = self.place(name)
         self.screen.click(round(left + min(width / 2, 20)), round(top + height / 2))
@@ -147,6 +154,7 @@ class View:
         self.screen.press("BackSpace")
         self.screen.type(text)
         self.screen.press("Return")
+        self.still()
 
     def choose(self, control, value):
         """An entry of a list."""

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kKeys = {
     KeyBinding{U's', Command::Save, "s", "File", "write what is shown as PNG"},
     KeyBinding{U'w', Command::SaveWorkspace, "w", "File", "write camera, light and parameters as a workspace"},
-    KeyBinding{U'c', Command::CopyCommand, "c", "File", "that, and copy the tegument render line of this picture"},
+    KeyBinding{U'c', Command::CopyCommand, "c", "File", "write one, and copy the tegument render line of this picture"},
     KeyBinding{kKeyF5, Command::Reload, "F5", "File", "read the effect again"},
     KeyBinding{U'q', Command::Quit, "q", "File", "quit"},
     KeyBinding{U't', Command::NextTechnique, "t", "Picture", "next technique"},
@@ -39,7 +39,7 @@ constexpr std::array kKeys = {
     KeyBinding{U'i', Command::Information, "i", "Panels", "menus, controls and lights on and off: the picture alone"},
     KeyBinding{U'x', Command::Probe, "x", "Panels", "values under the cursor, and how they are spread"},
     KeyBinding{U'v', Command::Strip, "v", "Panels", "targets as small pictures, arrows between them; a click opens one"},
-    KeyBinding{U'g', Command::Times, "g", "Panels", "statistics: GPU milliseconds of each pass, over the last frames"},
+    KeyBinding{U'g', Command::Times, "g", "Panels", "statistics, GPU milliseconds of each pass"},
     KeyBinding{U'u', Command::Mesh, "u", "Panels", "the mesh in false colours: texels, stretch, seams, fur"},
     KeyBinding{U'o', Command::Textures, "o", "Panels", "textures: where each comes from, its size; a click opens it"},
     KeyBinding{U'b', Command::Bindings, "b", "Panels", "a foreign effect's parameters: what each got, others to choose"},

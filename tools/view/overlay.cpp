@@ -190,7 +190,8 @@ void setStyle(float em) {
     colors[ImGuiCol_Button] = grey(0.27F);
     colors[ImGuiCol_ButtonHovered] = grey(0.34F);
     colors[ImGuiCol_ButtonActive] = grey(0.40F);
-    colors[ImGuiCol_SliderGrab] = grey(0.55F);
+    colors[ImGuiCol_SliderGrab] = grey(0.42F);
+    colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45F);
     colors[ImGuiCol_SliderGrabActive] = colors[ImGuiCol_CheckMark] = accent;
     colors[ImGuiCol_TextSelectedBg] = ImVec4(accent.x, accent.y, accent.z, 0.5F);
 }

@@ -31,6 +31,21 @@ void drawLines(const std::vector<std::string>& lines) {
     ImGui::PopTextWrapPos();
 }
 
+/// A name, and below it the numbers that stand two spaces behind it.
+void drawValues(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        const std::size_t end = std::min(line.find("  "), line.size());
+        ImGui::TextUnformatted(line.c_str(), line.c_str() + end);
+        const std::size_t numbers = line.find_first_not_of(' ', end);
+        if (numbers == std::string::npos) continue;
+        ImGui::Indent();
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("%s", line.c_str() + numbers);
+        ImGui::PopTextWrapPos();
+        ImGui::Unindent();
+    }
+}
+
 void drawHistogram(const Histogram& histogram) {
     std::size_t most = 1;
     for (const auto& counts : histogram.counts)
@@ -70,7 +85,7 @@ void drawKeys() {
     for (const char* group : kKeyGroups) {
         ImGui::TextUnformatted(group);
         for (const KeyBinding& key : keyBindings())
-            if (key.group == std::string_view(group)) drawRow(key.label, key.text, 4 * em);
+            if (key.group == std::string_view(group)) drawRow(key.label, capital(key.text).c_str(), 4 * em);
         ImGui::Spacing();
     }
     ImGui::TextUnformatted("Mouse");
@@ -95,7 +110,7 @@ void drawSheets(ViewState& state, const PanelScene& scene, const PanelText& text
     if (sheet("Keys", state.help)) drawKeys();
     if (sheet("Values", state.probe)) {
         if (pictures.histogram) drawHistogram(*pictures.histogram);
-        drawLines(text.values);
+        drawValues(text.values);
     }
     if (sheet("Statistics", state.times)) {
         drawLines(text.lines);

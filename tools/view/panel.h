@@ -13,6 +13,7 @@
 #include "tools/view/reading.h"
 #include "tools/view/source_text.h"
 #include "tools/view/state.h"
+#include "tools/view/window.h"
 
 namespace tegument::view {
 

@@ -116,7 +116,7 @@ public:
         if (section("Output", false)) output();
         if (!search_.empty() && section("More parameters", true))
             for (const Parameter* parameter : othersOf(state_, effect_))
-                anyParameter(*parameter);
+                if (!parameter->name.starts_with("gLamp")) anyParameter(*parameter);
         if (!search_.empty() && found_ == 0) ImGui::TextDisabled("nothing is called so");
         ImGui::EndChild();
     }
@@ -144,8 +144,9 @@ private:
     }
 
     /// The label; false: the search leaves it out. The next item is the row's control.
-    bool row(const Row& row) {
+    bool row(Row row) {
         item_ = section_ + "/" + (row.name.empty() ? row.label : row.name);
+        row.label.insert(0, prefix_);
         help_ = row.help;
         if (!row.name.empty()) help_ = row.name + (row.help.empty() ? "" : ": " + row.help);
         if (!search_.empty()) {
@@ -208,15 +209,15 @@ private:
     }
 
     /// Of light: its largest channel is the intensity.
-    bool light(const std::string& prefix, glm::vec3& color, std::string_view help) {
+    bool light(glm::vec3& color, std::string_view help) {
         const float most = std::max({color.x, color.y, color.z});
         glm::vec3 tint = most > 0 ? color / most : glm::vec3(1);
         float intensity = most;
         bool changed = false;
-        if (row({prefix + "Colour", "linear; its largest channel is 1"}))
+        if (row({"Colour", "linear; its largest channel is 1"}))
             changed =
                 done(ImGui::ColorEdit3(id().c_str(), &tint.x, ImGuiColorEditFlags_Float | (narrow_ ? ImGuiColorEditFlags_NoInputs : 0)));
-        changed = number({prefix + "Intensity", std::string(help)}, intensity, 0, 8, "%.3f", Moving::Rest, true) || changed;
+        changed = number({"Intensity", std::string(help)}, intensity, 0, 8, "%.3f", Moving::Rest, true) || changed;
         if (changed) color = tint / std::max(1e-6F, std::max({tint.x, tint.y, tint.z})) * intensity;
         return changed;
     }
@@ -243,6 +244,7 @@ private:
 
     void fact(const char* label, const std::string& text) {
         if (!row({label})) return;
+        ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(text.c_str());
         help_ = text;
         done(false);
@@ -261,8 +263,8 @@ private:
         const bool changed =
             vector({"Camera", "where it stands, mm in the world"}, moved.position, 0.003F * arm, "%.1f", Moving::Camera) |
             vector({"Target", "what it looks at and turns about, mm"}, moved.target, 0.003F * arm, "%.1f", Moving::Camera) |
-            number({"Field of view", "degrees across; of what is wider than it was asked for, of as much"}, moved.horizontalFov, 1, 120,
-                   "%.1f degrees", Moving::Camera);
+            number({"Field of view", "degrees across a picture of the shape that was asked for; a wider one shows more"},
+                   moved.horizontalFov, 1, 120, "%.1f degrees", Moving::Camera);
         if (changed && glm::length(moved.position - moved.target) > 1e-3F) camera = moved;
         command("Front", Command::Front);
         command("Right", Command::Side, true);
@@ -274,15 +276,18 @@ private:
         return (scene_.request.workspace.file.parent_path() / path).parent_path();
     }
 
-    bool choose(const Row& about, const std::vector<std::string>& names, std::string& current) {
+    /// `comments`: of each name, or none.
+    bool choose(const Row& about, const std::vector<std::string>& names, std::string& current,
+                const std::vector<std::string>& comments = {}) {
         if (names.empty() || !row(about)) return false;
         const std::string before = current;
         const bool open = ImGui::BeginCombo(id().c_str(), current.c_str());
         done(false);
         if (!open) return false;
-        for (const std::string& name : names) {
-            if (ImGui::Selectable(name.c_str(), name == before)) current = name;
-            noteItem(item_ + "=" + name);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (ImGui::Selectable(names[i].c_str(), names[i] == before)) current = names[i];
+            noteItem(item_ + "=" + names[i]);
+            if (ImGui::IsItemHovered() && i < comments.size() && !comments[i].empty()) tooltip(comments[i]);
         }
         ImGui::EndCombo();
         return current != before;
@@ -300,25 +305,17 @@ private:
             outcome_.opened = shown == targets.front() ? std::string() : shown;
     }
 
-    /// The first entry is none of them.
     void preset() {
-        constexpr const char* kNone = "as at the start";
-        if (state_.presets.empty() || !row({"Preset", "values that belong together"})) return;
-        const bool open = ImGui::BeginCombo(id().c_str(), state_.preset.empty() ? kNone : state_.preset.c_str());
-        done(false);
-        if (!open) return;
-        const auto offer = [&](const std::string& name, const std::string& comment) {
-            if (ImGui::Selectable(name.empty() ? kNone : name.c_str(), name == state_.preset)) {
-                choosePreset(state_, name, scene_.start);
-                outcome_.moved = Moving::Rest;
-            }
-            noteItem(item_ + "=" + name);
-            if (ImGui::IsItemHovered() && !comment.empty()) tooltip(comment);
-        };
-        offer({}, {});
-        for (const Preset& preset : std::vector<Preset>(state_.presets))
-            offer(preset.name, preset.comment);
-        ImGui::EndCombo();
+        std::vector<std::string> names = {"as at the start"};
+        std::vector<std::string> comments = {{}};
+        for (const Preset& preset : state_.presets) {
+            names.push_back(preset.name);
+            comments.push_back(preset.comment);
+        }
+        std::string chosen = state_.preset.empty() ? names.front() : state_.preset;
+        if (names.size() == 1 || !choose({"Preset", "values that belong together"}, names, chosen, comments)) return;
+        choosePreset(state_, chosen == names.front() ? std::string() : chosen, scene_.start);
+        outcome_.moved = Moving::Rest;
     }
 
     /// A macro of the effect, which is then read again.
@@ -428,8 +425,7 @@ private:
         }
         lightColor(light);
         float extent = light.direction ? light.width.value_or(0) : light.fov.value_or(0);
-        const Row size{"Size of its map",
-                       light.direction ? "mm across; 0: as large as the mesh" : "degrees across; 0: as wide as the mesh"};
+        const Row size{"Shadow map", light.direction ? "mm across; 0: as large as the mesh" : "degrees across; 0: as wide as the mesh"};
         if (number(size, extent, 0, light.direction ? 2000.0F : 170.0F, light.direction ? "%.0f mm" : "%.1f degrees")) {
             auto& kept = light.direction ? light.width : light.fov;
             kept = extent > 0.1F ? std::optional(extent) : std::nullopt;
@@ -446,7 +442,7 @@ private:
             for (int i = 0; i < 3; ++i)
                 light.color[i] = static_cast<float>(set->second[static_cast<std::size_t>(i)]);
         }
-        if (!this->light("", light.color, "irradiance / pi of a surface that faces it")) return;
+        if (!this->light(light.color, "irradiance / pi of a surface that faces it")) return;
         for (const Parameter& parameter : effect_.parameters)
             if (isLightColor(parameter)) {
                 state_.parameters.erase(parameter.name);
@@ -463,7 +459,7 @@ private:
 
     void lamp(std::size_t lamp) {
         group(fmt::format("Lamp {}", lamp));
-        const std::string prefix = search_.empty() ? std::string() : group_ + ": ";
+        prefix_ = search_.empty() ? std::string() : group_ + ": ";
         ImGui::PushID(static_cast<int>(lamp));
         const std::string section = std::exchange(section_, section_ + "/" + std::to_string(lamp));
         std::vector<double> places;
@@ -487,34 +483,33 @@ private:
             glm::vec3 light = three(color);
             glm::vec3 aim = three(axis);
             const float speed = point ? std::max(0.01F, 0.003F * glm::length(at)) : 0.01F;
-            if (vector({prefix + (point ? "Position" : "Direction"), point ? "world units" : "that its light comes from"}, at, speed,
-                       "%.3f"))
+            if (vector({point ? "Position" : "Direction", point ? "world units" : "that its light comes from"}, at, speed, "%.3f"))
                 keep(
                     "gLampPlace", [&] { put(at, place); }, places);
-            if (this->light(prefix, light, "irradiance / pi of a surface that faces it"))
+            if (this->light(light, "irradiance / pi of a surface that faces it"))
                 keep(
                     "gLampColor", [&] { put(light, color); }, colors);
-            if (number({prefix + "Size",
-                        point ? "radius, world units: how soft its shadow is" : "sine of its half angle: how soft its shadow is"},
+            if (number({"Size", point ? "radius, world units: how soft its shadow is" : "sine of its half angle: how soft its shadow is"},
                        axis[3], 0, point ? 500.0F : 1.0F, "%.3f", true))
                 keep(
                     "gLampAxis", [] {}, axes);
-            if (point && number({prefix + "Bright at", "distance of that intensity, world units; then inverse square; 0: everywhere"},
-                                color[3], 0, 5000, "%.0f", true))
+            if (point && number({"Bright at", "distance of that intensity, world units; then inverse square; 0: everywhere"}, color[3], 0,
+                                5000, "%.0f", true))
                 keep(
                     "gLampColor", [] {}, colors);
-            if (point && vector({prefix + "Aim", "the way that a spot shines"}, aim, 0.01F, "%.3f") && glm::length(aim) > 1e-3F)
+            if (point && vector({"Aim", "the way that a spot shines"}, aim, 0.01F, "%.3f") && glm::length(aim) > 1e-3F)
                 keep(
                     "gLampAxis", [&] { put(glm::normalize(aim), axis); }, axes);
-            if (point) cone(prefix, spot, spots);
-            if (number({prefix + "Shadow", "its weight, where it throws one"}, spot[2], 0, 1, "%.2f"))
+            if (point) cone(spot, spots);
+            if (number({"Shadow", "its weight, where it throws one"}, spot[2], 0, 1, "%.2f"))
                 keep(
                     "gLampSpot", [] {}, spots);
-            if (number({prefix + "Highlight", "its weight"}, spot[3], 0, 4, "%.2f"))
+            if (number({"Highlight", "its weight"}, spot[3], 0, 4, "%.2f"))
                 keep(
                     "gLampSpot", [] {}, spots);
         }
         section_ = section;
+        prefix_.clear();
         ImGui::PopID();
     }
 
@@ -525,12 +520,12 @@ private:
     }
 
     /// Half angles; as cosines in the parameter. -2, below every cosine: no spot.
-    void cone(const std::string& prefix, double* spot, std::vector<double>& values) {
+    void cone(double* spot, std::vector<double>& values) {
         constexpr double kDegrees = 180 / std::numbers::pi;
         double inner = std::acos(std::clamp(spot[0], -1.0, 1.0)) * kDegrees;
         double outer = spot[1] < -1 ? 180 : std::acos(std::clamp(spot[1], -1.0, 1.0)) * kDegrees;
-        const bool changed = number({prefix + "Cone", "half angle that is lit in full; 180: no spot"}, inner, 0, 180, "%.0f degrees") |
-                             number({prefix + "Cone's edge", "half angle where its light ends"}, outer, 0, 180, "%.0f degrees");
+        const bool changed = number({"Cone", "half angle that is lit in full; 180: no spot"}, inner, 0, 180, "%.0f degrees") |
+                             number({"Cone's edge", "half angle where its light ends"}, outer, 0, 180, "%.0f degrees");
         if (!changed) return;
         spot[0] = std::cos(std::min(inner, outer) / kDegrees);
         spot[1] = outer >= 180 ? -2 : std::min(std::cos(outer / kDegrees), spot[0] - 1e-3);
@@ -578,7 +573,8 @@ private:
     std::string search_; // in small letters
     std::string section_;
     std::string group_;
-    std::string item_; // "Lights/Intensity"
+    std::string prefix_; // of labels, while something is searched
+    std::string item_;   // "Lights/Intensity"
     std::string help_;
     int found_ = 0;
     bool headed_ = false;

@@ -20,7 +20,7 @@ void drawGroup(ViewState& state, std::string_view group, PanelOutcome& outcome) 
     for (const KeyBinding& key : keyBindings()) {
         if (key.group != group) continue;
         const bool* on = switchOf(state, key.command);
-        if (ImGui::MenuItem(key.text, key.label, on && *on)) outcome.command = key.command;
+        if (ImGui::MenuItem(capital(key.text).c_str(), key.label, on && *on)) outcome.command = key.command;
         noteItem(std::string("menu/") + key.label);
     }
 }

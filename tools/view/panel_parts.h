@@ -6,6 +6,9 @@
 
 #include <imgui.h>
 
+#include <cctype>
+#include <string>
+
 namespace tegument::view {
 
 inline constexpr ImGuiWindowFlags kFixedPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -34,6 +37,12 @@ public:
 private:
     bool room_;
 };
+
+/// As a line of its own begins.
+inline std::string capital(std::string text) {
+    if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
 
 /// Of the control that was drawn last, where it is seen.
 inline void noteItem(const std::string& name) {

@@ -1,4 +1,4 @@
-// Times of passes: frames as stacked bars, and a row for each pass.
+// Times of passes: a row for each.
 
 #include "tools/view/panel.h"
 #include "tools/view/panel_parts.h"
@@ -7,16 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace tegument::view {
 
 namespace {
 
-constexpr float kTimesHeight = 4.5F; // em, of the bars
-constexpr float kBarRoom = 0.98F;    // of a frame's width
-constexpr ImU32 kBehindBars = IM_COL32(40, 40, 40, 200);
-constexpr ImU32 kScale = IM_COL32(200, 200, 200, 255);
 const ImVec4 kPassKept(0.72F, 0.72F, 0.72F, 1.0F);
 
 /// Neighbours differ by the golden section of the circle of hues.
@@ -24,36 +19,6 @@ ImU32 colorOfPass(std::size_t index) {
     constexpr double kGolden = 0.61803398875;
     const auto hue = static_cast<float>(std::fmod(0.58 + kGolden * static_cast<double>(index), 1.0));
     return ImColor::HSV(hue, index % 2 == 0 ? 0.62F : 0.45F, 0.92F);
-}
-
-double longestFrame(const PassTimes& times) {
-    double longest = 0;
-    for (const auto& frame : times.frames())
-        longest = std::max(longest, std::accumulate(frame.begin(), frame.end(), 0.0));
-    return longest;
-}
-
-/// One bar for each frame, the newest to the right.
-void drawFrames(const PassTimes& times, double longest) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float high = kTimesHeight * ImGui::GetFontSize();
-    const float step = width / static_cast<float>(PassTimes::kMostFrames);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(corner, ImVec2(corner.x + width, corner.y + high), kBehindBars);
-    float left = corner.x + width - step * static_cast<float>(times.frames().size());
-    for (const auto& frame : times.frames()) {
-        double below = 0;
-        for (std::size_t i = 0; i < frame.size(); ++i) {
-            const auto at = [&](double sum) { return corner.y + high * static_cast<float>(1 - sum / std::max(longest, 1e-9)); };
-            list.AddRectFilled(ImVec2(left, at(below + frame[i])), ImVec2(left + kBarRoom * step, at(below)), colorOfPass(i));
-            below += frame[i];
-        }
-        left += step;
-    }
-    const std::string scale = fmt::format("{:.3g} ms", longest);
-    list.AddText(ImVec2(corner.x + 3, corner.y + 1), kScale, scale.c_str());
-    ImGui::Dummy(ImVec2(width, high));
 }
 
 std::string nameOf(const PassTime& pass) {
@@ -97,17 +62,14 @@ std::string sumLine(const TimesOfSide& side) {
 } // namespace
 
 void drawTimes(const std::vector<TimesOfSide>& sides) {
-    double longestOfAll = 0;
     double longestPass = 0;
     for (const TimesOfSide& side : sides) { // one scale for both
-        longestOfAll = std::max(longestOfAll, longestFrame(*side.times));
         for (const PassTime& pass : side.times->passes())
             longestPass = std::max(longestPass, pass.milliseconds);
     }
     for (const TimesOfSide& side : sides) {
         if (!side.name.empty()) ImGui::TextUnformatted(side.name.c_str());
         ImGui::TextUnformatted(sumLine(side).c_str());
-        drawFrames(*side.times, longestOfAll);
         for (std::size_t i = 0; i < side.times->passes().size(); ++i)
             drawRow(side.times->passes()[i], i, longestPass);
     }

@@ -91,18 +91,19 @@ class Controls(unittest.TestCase):
 
     def test_every_number_of_a_light_changes_the_picture_and_r_takes_it_back(self):
         for lamp in ("", "1/", "2/"):
-            for name in ("Colour", "Intensity") + (("Position",) if not lamp else ("Direction", "Size", "Shadow", "Highlight")):
+            for name in ("Colour", "Intensity") + (("Position",) if not lamp else ("Direction", "Shadow", "Highlight")):
                 with self.subTest(control=lamp + name):
                     words = (f"lamp {lamp[0]}: " if lamp else "") + name.lower()
                     # Of the lamps in their usual places the first alone throws its shadow on what is seen.
-                    if lamp == "2/" and name in ("Size", "Shadow"):
+                    if lamp == "2/" and name == "Shadow":
                         continue
                     self.moved(f"Lights/{lamp}{name}", words, -0.2 if name in ("Shadow", "Colour") else 0.3)
 
     def test_every_number_of_skin_changes_the_picture(self):
         names = [name for name in self.found("skin", "Skin/g")]
         self.assertGreater(len(names), 5, names)
-        quiet = {"gUsePrePass", "gPlainRoughness", "gPlainIntensity"}  # of what is culled alike, and of what does not scatter
+        # Of what is culled alike, of what does not scatter, of light through thin parts: the ball has none.
+        quiet = {"gUsePrePass", "gPlainRoughness", "gPlainIntensity", "gTransmission"}
         for name in names:
             parameter = name.split("/")[1]
             if parameter in quiet:
@@ -194,6 +195,7 @@ class Files(unittest.TestCase):
         view.wait("the workspace", lambda: saved.exists() and saved.read_text().endswith("}\n"))
         scene = json.loads(saved.read_text())
         self.assertEqual(scene["size"], [shown.width, shown.height])
+        self.assertNotEqual(scene["parameters"]["gLampAxis"][3], 0.25)
         drawn = view.folder / "drawn.png"
         ran = subprocess.run([base.PROGRAM, "render", "effects/Main.fx", "-w", str(saved), "-o", str(drawn), "--map-size", "64"], cwd=view.folder,
                              capture_output=True, text=True, timeout=base.PATIENCE)
@@ -205,6 +207,9 @@ class Files(unittest.TestCase):
         self.dialog("Save picture as ...", str(picture))
         picture = picture.with_suffix(".png")
         view.wait("the picture", lambda: picture.exists() and picture.read_bytes().endswith(b"IEND\xaeB`\x82"))
+        if base.PICTURES:
+            for made in (picture, drawn):
+                shutil.copy(made, base.PICTURES)
         self.assertLess(screens.read_png(picture).share_apart(screens.read_png(drawn), limit=2), 1e-4)
         view.click("menu/File")
         view.click("menu/r") if "menu/r" in view.places() else view.screen.press("Escape")
@@ -261,7 +266,7 @@ class Sizes(unittest.TestCase):
 
     def check(self, places, width, height):
         picture = places["picture"]
-        self.assertGreaterEqual(picture[2] * picture[3], 0.1 * width * height, places)
+        self.assertGreaterEqual(picture[2] * picture[3], 0.09 * width * height, places)
         panels = [(name, places[name]) for name in self.PANELS if name in places]
         for i, (name, place) in enumerate(panels):
             self.assertTrue(apart(place, picture), f"{name} over the picture: {place}, {picture}")
@@ -286,7 +291,7 @@ class Sizes(unittest.TestCase):
             columns = {i % picture.width for i in red}
             side = min(size)
             self.assertAlmostEqual(len(rows), len(columns), delta=0.1 * side)
-            self.assertAlmostEqual(max(len(rows), len(columns)) / side, 0.93, delta=0.06, msg=str(size))
+            self.assertAlmostEqual(max(len(rows), len(columns)) / side, 0.865, delta=0.01, msg=str(size))
 
 
 if __name__ == "__main__":

@@ -19,6 +19,13 @@ namespace tegument::view {
 
 namespace {
 
+/// A button of the mouse that changes, and where the mouse was then: by the next frame it may be elsewhere.
+struct ButtonEvent {
+    std::size_t button;
+    bool down;
+    ImVec2 at;
+};
+
 /// A key that changes, or what was typed.
 struct KeyEvent {
     int key;
@@ -42,6 +49,7 @@ public:
     [[nodiscard]] bool start() {
         keyOfWindow_ = glfwSetKeyCallback(window_, nullptr);
         characterOfWindow_ = glfwSetCharCallback(window_, nullptr);
+        buttonOfWindow_ = glfwSetMouseButtonCallback(window_, nullptr);
         const bool started = ImGui_ImplGlfw_InitForOther(window_, true);
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
             if (current_->keyOfWindow_) current_->keyOfWindow_(window, key, code, action, modifiers);
@@ -51,7 +59,29 @@ public:
             if (current_->characterOfWindow_) current_->characterOfWindow_(window, character);
             current_->events_.push_back({.key = 0, .code = 0, .action = 0, .modifiers = 0, .character = character});
         });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
+            if (current_->buttonOfWindow_) current_->buttonOfWindow_(window, button, action, modifiers);
+            if (static_cast<std::size_t>(button) < current_->down_.size())
+                current_->buttons_.push_back({static_cast<std::size_t>(button), action != GLFW_RELEASE, current_->mouse_});
+        });
+        // GLFW's own answer is where the mouse is now, not where it was at the event.
+        moveOfWindow_ = glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+            if (current_->moveOfWindow_) current_->moveOfWindow_(window, x, y);
+            current_->mouse_ = ImVec2(static_cast<float>(x), static_cast<float>(y));
+        });
         return started;
+    }
+
+    /// Once a frame, behind Dear ImGui's look at the mouse: a button changes where it was pressed.
+    void deliverButton() {
+        ImGuiIO& io = ImGui::GetIO();
+        if (!buttons_.empty()) {
+            const ButtonEvent event = buttons_.front();
+            buttons_.pop_front();
+            down_[event.button] = event.down;
+            io.MousePos = event.at;
+        }
+        std::ranges::copy(down_, io.MouseDown);
     }
 
     void deliver() {
@@ -67,14 +97,19 @@ public:
         }
     }
 
-    [[nodiscard]] bool empty() const { return events_.empty(); }
+    [[nodiscard]] bool empty() const { return events_.empty() && buttons_.empty(); }
 
 private:
     static inline KeyQueue* current_ = nullptr; // GLFW's callbacks have no other way to it
     GLFWwindow* window_;
     GLFWkeyfun keyOfWindow_ = nullptr;
     GLFWcharfun characterOfWindow_ = nullptr;
+    GLFWmousebuttonfun buttonOfWindow_ = nullptr;
+    GLFWcursorposfun moveOfWindow_ = nullptr;
     std::deque<KeyEvent> events_;
+    std::deque<ButtonEvent> buttons_;
+    std::array<bool, 3> down_{};
+    ImVec2 mouse_{-1, -1};
 };
 
 } // namespace
@@ -275,6 +310,7 @@ Result<void> Overlay::draw(Canvas& canvas, gpu::Texture& target, const std::func
         ImGui_ImplGlfw_NewFrame();
     else
         ImGui::GetIO().DisplaySize = ImVec2(static_cast<float>(target.desc().width), static_cast<float>(target.desc().height));
+    if (state_->keys) state_->keys->deliverButton();
     ImGui::NewFrame();
     content();
     ImGui::Render();

@@ -163,8 +163,8 @@ private:
         const bool isCut = size.x > room;
         ImGui::Dummy(ImVec2(std::min(size.x, room), narrow_ ? size.y : ImGui::GetFrameHeight()));
         const float top = corner.y + (narrow_ ? 0 : ImGui::GetStyle().FramePadding.y);
-        ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), ImVec2(corner.x, top), ImVec2(corner.x + room, top + size.y), corner.x + room,
-                                  corner.x + room, row.label.c_str(), nullptr, &size);
+        ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), ImVec2(corner.x, top), ImVec2(corner.x + room, top + 1.3F * size.y),
+                                  corner.x + room, corner.x + room, row.label.c_str(), nullptr, &size);
         if (ImGui::IsItemHovered() && (isCut || !help_.empty())) tooltip(isCut ? row.label + "\n" + help_ : help_);
         if (!narrow_) ImGui::SameLine(kLabel * width);
         ImGui::SetNextItemWidth(-1);

@@ -211,8 +211,6 @@ class Files(unittest.TestCase):
             for made in (picture, drawn):
                 shutil.copy(made, base.PICTURES)
         self.assertLess(screens.read_png(picture).share_apart(screens.read_png(drawn), limit=2), 1e-4)
-        view.click("menu/File")
-        view.click("menu/r") if "menu/r" in view.places() else view.screen.press("Escape")
         view.screen.press("r")
         view.changed(shown)
         self.dialog("Open workspace ...", str(before))

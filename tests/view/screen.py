@@ -52,8 +52,9 @@ class Picture:
 
 
 def read_png(path):
-    """Of ours: eight bits, red, green and blue, nothing interlaced."""
+    """Of ours: eight bits, red, green and blue, with an alpha that is left out or without, nothing interlaced."""
     data, at, packed, size = path.read_bytes(), 8, b"", (0, 0)
+    each = 4 if data[25] == 6 else 3
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])
         body = data[at + 8:at + 8 + length]
@@ -61,11 +62,11 @@ def read_png(path):
         packed += body if kind == b"IDAT" else b""
         at += 12 + length
     width, height = size
-    raw, rows, above = zlib.decompress(packed), [], bytes(width * 3)
+    raw, rows, above = zlib.decompress(packed), [], bytes(width * each)
     for y in range(height):
-        way, row = raw[y * (width * 3 + 1)], bytearray(raw[y * (width * 3 + 1) + 1:(y + 1) * (width * 3 + 1)])
-        for x in range(width * 3):
-            left, up, corner = (row[x - 3], above[x], above[x - 3]) if x >= 3 else (0, above[x], 0)
+        way, row = raw[y * (width * each + 1)], bytearray(raw[y * (width * each + 1) + 1:(y + 1) * (width * each + 1)])
+        for x in range(width * each):
+            left, up, corner = (row[x - each], above[x], above[x - each]) if x >= each else (0, above[x], 0)
             if way == 1:
                 row[x] = (row[x] + left) & 255
             elif way == 2:
@@ -76,8 +77,10 @@ def read_png(path):
                 guess = left + up - corner
                 near = min((left, up, corner), key=lambda v: abs(guess - v))
                 row[x] = (row[x] + near) & 255
-        rows.append(bytes(row))
         above = bytes(row)
+        if each == 4:
+            del row[3::4]
+        rows.append(bytes(row))
     return Picture(width, height, b"".join(rows))
 
 

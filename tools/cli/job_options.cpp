@@ -95,8 +95,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
                        fmt::format("Picture size in pixels: WIDTHxHEIGHT, or one number for a square; default: the workspace's, else {}",
                                    options.usualSize));
     command
-        .add_option("--fit", options.fit,
-                    "What a picture of another shape than the scene's keeps of it: width, height, or both; a scene without a size is square")
+        .add_option(
+            "--fit", options.fit,
+            "What a picture of another shape than the scene's keeps of it: width, height, or both; a scene without a size is square")
         ->check(CLI::IsMember({"width", "height", "both"}))
         ->capture_default_str();
     command

@@ -124,22 +124,10 @@ PanelText Viewer::panelText() {
     PanelText text{.status = {}, .lines = {}, .values = {}, .problem = problem_, .beside = {}};
     text.lines.push_back(
         fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
-    text.lines.push_back(shownText(state_, frame_));
     const auto kept = std::ranges::count_if(frame_.passes, &SessionPass::kept);
     text.lines.push_back(fmt::format("{} passes{} {:.2f} ms, frame {:.1f} ms", frame_.passes.size(),
                                      kept > 0 ? fmt::format(", {} kept,", kept) : std::string(), totalMilliseconds(frame_), milliseconds_));
     text.lines.push_back(device_.info().name);
-    if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
-    if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
-    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
-    if (state_.levels > 1 && state_.show != Show::Picture)
-        text.lines.push_back(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
-    if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
-    if (isDraft()) text.lines.push_back(draftText(sharpness_, drawnPixels().width, drawnPixels().height));
-    if (making_) text.lines.push_back("being made: " + makingText());
-    if (meshesMaking_.valid()) text.lines.emplace_back("being made: the mesh in false colours");
-    if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
-    if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
     if (state_.probe) text.values = probed();
     text.beside = besideText();
     text.status = statusText();
@@ -154,6 +142,10 @@ std::string Viewer::statusText() const {
     if (making_) add("being made: " + makingText());
     if (meshesMaking_.valid()) add("being made: the mesh in false colours");
     add(shownText(state_, frame_));
+    if (!state_.preset.empty()) add("preset " + state_.preset);
+    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
+    if (state_.channel != 0) add(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
+    if (state_.levels > 1 && state_.show != Show::Picture) add(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
     if (state_.stops != 0) add(fmt::format("{:+.1f} stops", state_.stops));
     if (state_.zoom != 1) add(fmt::format("{:.0f} times as large", state_.zoom));
     if (isDraft()) add(draftText(sharpness_, drawnPixels().width, drawnPixels().height));

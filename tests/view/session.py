@@ -142,10 +142,10 @@ class View:
         self.screen.click(round(left + min(width / 2, 20)), round(top + height / 2))
 
     def slide(self, name, by=0.35):
-        """From its middle, by a share of its width."""
+        """From near its middle, where of several numbers is no gap, by a share of its width."""
         left, top, width, height = self.place(name)
         y = round(top + height / 2)
-        self.screen.drag((round(left + width / 2), y), (round(left + (0.5 + by) * width), y))
+        self.screen.drag((round(left + 0.4 * width), y), (round(left + (0.4 + by) * width), y))
 
     def search(self, text):
         """The search field holds this, and keys are commands again."""

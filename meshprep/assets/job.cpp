@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -176,6 +177,18 @@ Result<void> definePicture(const JobOptions& options, std::vector<std::pair<std:
     return {};
 }
 
+/// A scene's camera is made for the size that it names, or for a square; its field of view is across, and a wider picture would cut what is
+/// above and below.
+void fit(Workspace& workspace, const std::string& how, double aspect) {
+    const double shape = workspace.size ? static_cast<double>(workspace.size->first) / workspace.size->second : 1;
+    const double wider = how == "height" ? aspect / shape : how == "both" ? std::max(1.0, aspect / shape) : 1.0;
+    if (wider == 1) return;
+    constexpr double kWidest = 170; // degrees, as in workspaces
+    float& fov = workspace.camera.horizontalFov;
+    const double half = glm::radians(0.5 * static_cast<double>(fov));
+    fov = static_cast<float>(std::min(kWidest, glm::degrees(2 * std::atan(wider * std::tan(half)))));
+}
+
 } // namespace
 
 Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const Say& say) {
@@ -256,6 +269,7 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);
+    if (sceneOptions.mesh.empty()) fit(job.scene.workspace, options.fit, sceneOptions.aspect);
     auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
     if (!warnings) return warnings.error();
     for (const auto& [name, value] : job.load.defines)

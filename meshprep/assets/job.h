@@ -38,6 +38,7 @@ struct JobOptions {
     std::string depthIn;                 // its depth, 0 to 1; empty: far, or the scene's
     std::string size;                    // empty: the workspace's
     std::string usualSize = "1024x1024"; // where that has none
+    std::string fit = "width";           // what of the scene is kept in a picture of another shape than it is made for: width, height, both
     int samples = 0;                     // a pixel; 0: the workspace's, else kUsualSamples, or one where the technique cannot have several
     std::string picture = "float";       // the caller's colour target: float or half
     std::string compiler;

@@ -53,20 +53,17 @@ class Panels(base.WideWindow):
         return base.keep(self.view.still(unlike=unlike), name)
 
     def coloured(self, picture):
-        """Pixels of strong colours in the right half: bars."""
-        count = 0
-        for y in range(picture.height):
-            for x in range(picture.width // 2, picture.width):
-                texel = picture.pixels[(y * picture.width + x) * 3:(y * picture.width + x) * 3 + 3]
-                count += max(texel) > 150 and max(texel) - min(texel) > 80
-        return count
+        """Pixels of strong colours beside the picture: bars."""
+        sheet = self.view.crop(picture, "sheets")
+        texels = (sheet.pixels[i:i + 3] for i in range(0, len(sheet.pixels), 3))
+        return sum(max(texel) > 150 and max(texel) - min(texel) > 80 for texel in texels)
 
     def test_g_shows_times_as_bars_and_what_was_not_drawn_is_dim(self):
         times = self.press("g", self.start, "key_g")
         self.view.screen.press("F5")  # all is drawn
         anew = base.keep(self.view.still(unlike=times), "key_g_anew")
-        self.assertGreater(self.coloured(anew), self.coloured(self.start) + 300)
-        self.view.screen.drag((100, 160), (140, 150))
+        self.assertGreater(self.coloured(anew), 300)
+        self.view.screen.drag((450, 160), (490, 150))
         camera = base.keep(self.view.still(unlike=anew), "key_g_camera")
         self.assertLess(self.coloured(camera), self.coloured(anew), "the rows of passes that the camera does not touch")
         self.press("k", camera, "key_g_two_sides")
@@ -94,7 +91,7 @@ class Panels(base.WideWindow):
 
     def test_o_tells_where_textures_come_from_and_a_click_opens_one(self):
         listed = self.press("o", self.start, "key_o")
-        self.view.screen.drag((60, 22), (60, 22))
+        self.view.click("texture/gEnergyAttenuationMap")
         self.view.title("texture gEnergyAttenuationMap")
         opened = base.keep(self.view.still(unlike=listed), "key_o_opened")
         self.assertGreater(opened.share_apart(listed), 0.1)
@@ -112,8 +109,8 @@ class Fur(base.WideWindow):
         for name in ("texels", "stretch", "seams", "fur"):
             self.view.screen.press("u")
             last = base.keep(self.view.still(unlike=last), f"key_u_{name}_of_fur")
-        below = base.SIZE * WIDE // 3 * 3  # the upper third has the legend
-        colours = (last.pixels[i:i + 3] for i in range(below, len(last.pixels), 3))
+        seen = self.view.crop(last, "picture").pixels
+        colours = [seen[i:i + 3] for i in range(0, len(seen), 3)]
         pale = sum(min(colour) > 120 and max(colour) - min(colour) < 60 for colour in colours)
         self.assertGreater(pale, 2000, "the ball is grown evenly: colours about the median")
         self.view.screen.press("u")
@@ -123,12 +120,8 @@ class Fur(base.WideWindow):
         self.view.screen.press("o")
         listed = base.keep(self.view.still(unlike=self.start), "key_o_roots")
         made = self.view.said().count("made fur roots")
-        for x, y in ((x, y) for y in range(40, 150, 8) for x in (60, 130, 200, 250, 300)):
-            self.view.screen.drag((x, y), (x, y))
-            self.view.still()
-            if self.view.said().count("made fur roots") > made:
-                break
-        self.assertGreater(self.view.said().count("made fur roots"), made, "no button was found")
+        self.view.click("bake/gRootsMap")
+        self.view.wait("the roots", lambda: self.view.said().count("made fur roots") > made)
         base.keep(self.view.still(unlike=listed), "key_o_roots_again")
         self.view.screen.press("o")
         self.assertEqual(self.view.still(), self.start)
@@ -157,7 +150,7 @@ class Faces(base.WideWindow):
     def test_a_cube_is_opened_as_a_cross_of_its_faces(self):
         self.view.screen.press("o")
         listed = base.keep(self.view.still(unlike=self.start), "key_o_cube")
-        self.view.screen.drag((60, 22), (60, 22))
+        self.view.click("texture/gCubeMap")
         self.view.title("texture gCubeMap")
         self.view.screen.press("o")
         cross = base.keep(self.view.still(unlike=listed), "cube_faces")
@@ -172,10 +165,9 @@ class Faces(base.WideWindow):
         self.assertEqual(self.view.still(unlike=cross), self.start)
 
 
-def limits(picture, left=base.SIZE // 3, wide=40):
-    """The numbers below a spread at the bottom to the right."""
-    rows = range(picture.height - 50, picture.height - 12)
-    return [picture.pixels[(y * picture.width + x) * 3] > 200 for y in rows for x in range(left, left + wide)]
+def limits(view, picture):
+    """The numbers below a spread."""
+    return [view.crop(picture, f"sheets/{which}").pixels for which in ("low", "high")]
 
 
 def cube_dds(*faces):
@@ -198,7 +190,7 @@ class OtherFaces(base.WideWindow):
         screen = self.view.screen
         screen.press("o")
         listed = self.view.still(unlike=self.start)
-        screen.drag((60, 22), (60, 22))
+        self.view.click("texture/gCubeMap")
         self.view.title("texture gCubeMap")
         screen.press("o")
         cross = self.view.still(unlike=listed)
@@ -207,7 +199,7 @@ class OtherFaces(base.WideWindow):
         (self.view.folder / "cube.dds").write_bytes(cube_dds(0.5, 0.5, 0.5, 0.5, 0.5, 3.0))
         screen.press("F5")
         other = base.keep(self.view.still(unlike=same), "one_face_brighter")
-        self.assertNotEqual(limits(other, WIDE - 300, 300), limits(same, WIDE - 300, 300))
+        self.assertNotEqual(self.view.crop(other, "sheets").pixels, self.view.crop(same, "sheets").pixels)
 
 
 class Levels(unittest.TestCase):
@@ -229,9 +221,10 @@ class Levels(unittest.TestCase):
         view.screen.press("x")  # of level 2, whose texels are all 0.5, too; and of level 0, where what is not 0 is 1
         view.screen.press("l")
         spread = base.keep(view.still(unlike=second), "level_2_spread")
+        numbers = limits(view, spread)
         for _ in range(4):
             view.screen.press("l")
-        self.assertNotEqual(limits(base.keep(view.still(unlike=spread), "level_0_spread")), limits(spread))
+        self.assertNotEqual(limits(view, base.keep(view.still(unlike=spread), "level_0_spread")), numbers)
         view.screen.press("x")
         view.screen.press("l")
         self.assertEqual(view.still(), second)

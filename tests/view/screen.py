@@ -52,8 +52,9 @@ class Picture:
 
 
 def read_png(path):
-    """Of ours: eight bits, red, green and blue, nothing interlaced."""
+    """Of ours: eight bits, red, green and blue, with an alpha that is left out or without, nothing interlaced."""
     data, at, packed, size = path.read_bytes(), 8, b"", (0, 0)
+    each = 4 if data[25] == 6 else 3
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])
         body = data[at + 8:at + 8 + length]
@@ -61,11 +62,11 @@ def read_png(path):
         packed += body if kind == b"IDAT" else b""
         at += 12 + length
     width, height = size
-    raw, rows, above = zlib.decompress(packed), [], bytes(width * 3)
+    raw, rows, above = zlib.decompress(packed), [], bytes(width * each)
     for y in range(height):
-        way, row = raw[y * (width * 3 + 1)], bytearray(raw[y * (width * 3 + 1) + 1:(y + 1) * (width * 3 + 1)])
-        for x in range(width * 3):
-            left, up, corner = (row[x - 3], above[x], above[x - 3]) if x >= 3 else (0, above[x], 0)
+        way, row = raw[y * (width * each + 1)], bytearray(raw[y * (width * each + 1) + 1:(y + 1) * (width * each + 1)])
+        for x in range(width * each):
+            left, up, corner = (row[x - each], above[x], above[x - each]) if x >= each else (0, above[x], 0)
             if way == 1:
                 row[x] = (row[x] + left) & 255
             elif way == 2:
@@ -76,8 +77,10 @@ def read_png(path):
                 guess = left + up - corner
                 near = min((left, up, corner), key=lambda v: abs(guess - v))
                 row[x] = (row[x] + near) & 255
-        rows.append(bytes(row))
         above = bytes(row)
+        if each == 4:
+            del row[3::4]
+        rows.append(bytes(row))
     return Picture(width, height, b"".join(rows))
 
 
@@ -87,7 +90,8 @@ def begin(command, **how):
 
 
 class Screen:
-    def __init__(self, width, height):
+    def __init__(self, width, height, scale=1):
+        """`scale` 2: of a screen with twice the usual number of pixels to the inch."""
         self.width, self.height = width, height
         reader, writer = os.pipe()
         command = ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "-noreset"]
@@ -97,6 +101,10 @@ class Screen:
             self.name = ":" + numbers.readline().strip()
         self.display = xdisplay.Display(self.name)
         self.root = self.display.screen().root
+        if scale != 1:  # where desktops write it, and GLFW reads it
+            resources = f"Xft.dpi:\t{96 * scale:g}\n".encode()
+            self.root.change_property(self.display.intern_atom("RESOURCE_MANAGER"), self.display.intern_atom("STRING"), 8, resources)
+            self.display.sync()
 
     def close(self):
         self.display.close()
@@ -135,6 +143,23 @@ class Screen:
         for code in reversed(codes):
             xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
+
+    def click(self, x, y, button=1):
+        """Slow enough for a program that looks at the mouse once a frame."""
+        self.move(x, y)
+        time.sleep(0.1)
+        xtest.fake_input(self.display, X.ButtonPress, button)
+        self.display.sync()
+        time.sleep(0.1)
+        xtest.fake_input(self.display, X.ButtonRelease, button)
+        self.display.sync()
+
+    KEYS = {"_": "underscore", " ": "space", "/": "slash", ".": "period", "-": "minus", ":": "colon", "~": "asciitilde", "=": "equal", "[": "bracketleft", "]": "bracketright"}
+
+    def type(self, text):
+        for letter in text:
+            shifted = letter.isupper() or letter in "_:~"
+            self.press(self.KEYS.get(letter, letter), *(("Shift_L",) if shifted else ()))
 
     def wheel(self, up):
         for kind in (X.ButtonPress, X.ButtonRelease):

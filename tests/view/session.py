@@ -55,16 +55,16 @@ def own_copy():
 class View:
     """The program with a copy of the effects of its own, so that they can be broken."""
 
-    def __init__(self, arguments=("effects/Main.fx", "-w", "ball.json", "--map-size", "64"), files=(), before=None):
+    def __init__(self, arguments=("effects/Main.fx", "-w", "ball.json", "--map-size", "64"), files=(), before=None, size=(SIZE, SIZE), screen=(2 * SIZE, SIZE), scale=1):
         self.folder = own_copy()
         if before:
             before(self.folder)
-        self.screen = screens.Screen(2 * SIZE, SIZE)
+        self.screen = screens.Screen(*screen, scale)
         self.errors = open(self.folder / "stderr.txt", "w+")
         for name, text in files:
             (self.folder / name).write_text(text)
-        command = [PROGRAM, "view", *arguments, "--size", f"{SIZE}x{SIZE}", "--validate"]
-        environment = {**os.environ, "DISPLAY": self.screen.name}
+        command = [PROGRAM, "view", *arguments, "--size", f"{size[0]}x{size[1]}", "--validate"]
+        environment = {**os.environ, "DISPLAY": self.screen.name, "TEGUMENT_VIEW_PLACES": str(self.folder / "places.json")}
         environment.pop("WAYLAND_DISPLAY", None)
         self.process = screens.begin(command, cwd=self.folder, env=environment, stderr=self.errors)
 
@@ -108,6 +108,58 @@ class View:
             return now if rests and (unlike is None or now != unlike) else None
 
         return self.wait("a picture that stays", settled)
+
+    def places(self):
+        """Panels and controls by name: left, top, width, height."""
+        try:
+            return json.loads((self.folder / "places.json").read_text())
+        except (OSError, ValueError):
+            return {}
+
+    def place(self, name):
+        """Where it stands once it stands still."""
+        last = [None]
+
+        def stands():
+            now = self.places().get(name)
+            same = now is not None and now == last[0]
+            last[0] = now
+            if not same:
+                time.sleep(0.15)
+            return now if same else None
+
+        return self.wait(f"a control '{name}' of {sorted(self.places())}", stands)
+
+    def crop(self, picture, name):
+        """What of the screen a panel or a control takes."""
+        left, top, width, height = (round(value) for value in self.place(name))
+        width, height = min(width, picture.width - left), min(height, picture.height - top)
+        rows = (picture.pixels[(y * picture.width + left) * 3:(y * picture.width + left + width) * 3] for y in range(top, top + height))
+        return screens.Picture(width, height, b"".join(rows))
+
+    def click(self, name):
+        left, top, width, height = self.place(name)
+        self.screen.click(round(left + min(width / 2, 20)), round(top + height / 2))
+
+    def slide(self, name, by=0.35):
+        """From near its middle, where of several numbers is no gap, by a share of its width."""
+        left, top, width, height = self.place(name)
+        y = round(top + height / 2)
+        self.screen.drag((round(left + 0.4 * width), y), (round(left + (0.4 + by) * width), y))
+
+    def search(self, text):
+        """The search field holds this, and keys are commands again."""
+        self.click("search")
+        self.screen.press("a", "Control_L")
+        self.screen.press("BackSpace")
+        self.screen.type(text)
+        self.screen.press("Return")
+        self.still()
+
+    def choose(self, control, value):
+        """An entry of a list."""
+        self.click(control)
+        self.click(f"{control}={value}")
 
     def turn_to(self, technique, key):
         """One technique after the other: a key before the last one is shown would pass it."""

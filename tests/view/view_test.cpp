@@ -4,13 +4,16 @@
 #include "tools/view/keys.h"
 #include "tools/view/layout.h"
 #include "tools/view/levels.h"
+#include "tools/view/light_handles.h"
 #include "tools/view/orbit.h"
 #include "tools/view/panel.h"
+#include "tools/view/picture_area.h"
 #include "tools/view/state.h"
 #include "tools/view/watch.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -282,79 +285,6 @@ TEST(Mouse, a_drag_that_dollies_is_nearer_to_the_right_and_up_and_undone_by_its_
     EXPECT_NEAR(distanceOf(state.workspace.camera), 500, kFloat);
 }
 
-TEST(Panels, stand_inside_the_window_and_none_covers_another) {
-    const auto panel = [](float width, float height) {
-        return std::optional(PanelSize{.width = width, .height = [height](float) { return height; }});
-    };
-    const auto apart = [](const std::optional<Area>& a, const std::optional<Area>& b) {
-        if (!a || !b) return true;
-        return a->x + a->width <= b->x || b->x + b->width <= a->x || a->y + a->height <= b->y || b->y + b->height <= a->y;
-    };
-    for (const float width : {160.0F, 320.0F, 900.0F, 2560.0F})
-        for (const float height : {120.0F, 320.0F, 900.0F})
-            for (const float text : {60.0F, 400.0F, 3000.0F})
-                for (int shown = 0; shown < 128; ++shown) {
-                    PanelSizes sizes;
-                    if (shown & 1) sizes.lines = panel(text, 90);
-                    if (shown & 2) sizes.help = panel(420, 400);
-                    if (shown & 4) sizes.sliders = panel(380, text);
-                    if (shown & 8) sizes.problem = panel(text, 200);
-                    if (shown & 16) sizes.strip = panel(width, 120);
-                    if (shown & 32) sizes.histogram = panel(280, 120);
-                    if (shown & 64) sizes.times = panel(300, text);
-                    const PanelAreas areas = arrange(width, height, sizes);
-                    const std::vector<std::optional<Area>> all = {areas.lines, areas.help,      areas.sliders, areas.problem,
-                                                                  areas.strip, areas.histogram, areas.times};
-                    for (std::size_t i = 0; i < all.size(); ++i) {
-                        EXPECT_EQ(all[i].has_value(), (shown >> i & 1) != 0);
-                        for (std::size_t j = 0; j < i; ++j)
-                            EXPECT_TRUE(apart(all[i], all[j])) << width << "x" << height << " " << shown << ": " << i << " and " << j;
-                        if (!all[i]) continue;
-                        EXPECT_GE(all[i]->x, 0);
-                        EXPECT_GE(all[i]->y, 0);
-                        EXPECT_LE(all[i]->x + all[i]->width, width);
-                        EXPECT_LE(all[i]->y + all[i]->height, height);
-                    }
-                }
-}
-
-TEST(Panels, take_room_from_the_picture_where_enough_is_left_and_lie_on_it_otherwise) {
-    const auto panel = [](float width, float height) { return PanelSize{.width = width, .height = [height](float) { return height; }}; };
-    PanelSizes sizes;
-    sizes.lines = panel(300, 100);
-    EXPECT_EQ(arrange(900, 900, sizes).dock, Dock{}) << "a note lies on the picture";
-    sizes.linesTakeRoom = true;
-    EXPECT_EQ(arrange(900, 900, sizes).dock.left, 300 + 2 * kPanelMargin);
-    sizes.help = panel(420, 430);
-    EXPECT_EQ(arrange(900, 900, sizes).dock.left, 420 + 2 * kPanelMargin);
-    sizes.sliders = panel(380, 500);
-    sizes.strip = panel(900, 120);
-    const Dock wide = arrange(1920, 1080, sizes).dock;
-    EXPECT_EQ(wide.left, 420 + 2 * kPanelMargin);
-    EXPECT_EQ(wide.right, 380 + 2 * kPanelMargin);
-    EXPECT_EQ(wide.bottom, 120 + 2 * kPanelMargin);
-    const Dock narrow = arrange(900, 900, sizes).dock;
-    EXPECT_EQ(narrow.right, wide.right) << "there is room for one side";
-    EXPECT_EQ(narrow.left, 0);
-    EXPECT_EQ(arrange(300, 150, sizes).dock.right, 0);
-    sizes.problem = panel(900, 60);
-    EXPECT_EQ(arrange(900, 900, sizes).dock.right, narrow.right);
-}
-
-TEST(Panels, have_room_for_what_they_hold_in_a_window_of_the_usual_size) {
-    const auto panel = [](float width, float height) { return PanelSize{.width = width, .height = [height](float) { return height; }}; };
-    PanelSizes sizes;
-    sizes.lines = panel(300, 100);
-    sizes.help = panel(420, 430);
-    sizes.sliders = panel(380, 500);
-    const PanelAreas areas = arrange(900, 900, sizes);
-    EXPECT_EQ(areas.lines->width, 300);
-    EXPECT_EQ(areas.help->width, 420);
-    EXPECT_EQ(areas.help->height, 430);
-    EXPECT_EQ(areas.sliders->width, 380);
-    EXPECT_EQ(areas.sliders->height, 500);
-}
-
 namespace {
 
 Result<Effect> sliders() {
@@ -370,6 +300,125 @@ Result<Effect> sliders() {
 }
 
 } // namespace
+
+TEST(Panels, stand_inside_the_window_and_none_covers_another_or_the_picture) {
+    const auto apart = [](const Area& a, const Area& b) {
+        return a.width == 0 || a.height == 0 || b.width == 0 || b.height == 0 || a.x + a.width <= b.x || b.x + b.width <= a.x ||
+               a.y + a.height <= b.y || b.y + b.height <= a.y;
+    };
+    for (const float width : {1.0F, 160.0F, 320.0F, 900.0F, 3840.0F})
+        for (const float height : {1.0F, 120.0F, 240.0F, 900.0F})
+            for (const float em : {14.0F, 28.0F})
+                for (int shown = 0; shown < 64; ++shown) {
+                    const Panels panels{.em = em,
+                                        .frame = (shown & 1) != 0,
+                                        .controls = (shown & 2) != 0,
+                                        .sheets = (shown & 4) != 0,
+                                        .strip = (shown & 8) != 0,
+                                        .source = (shown & 16) != 0,
+                                        .problem = (shown & 32) != 0 ? 0.3F * height : 0};
+                    const Layout layout = arrange(width, height, panels);
+                    const std::vector<Area> all = {layout.bar,     layout.controls, layout.sheets, layout.strip,
+                                                   layout.problem, layout.status,   layout.source, layout.picture};
+                    for (std::size_t i = 0; i < all.size(); ++i) {
+                        for (std::size_t j = 0; j < i; ++j)
+                            EXPECT_TRUE(apart(all[i], all[j])) << width << "x" << height << " " << shown << ": " << i << " and " << j;
+                        EXPECT_GE(all[i].x, 0);
+                        EXPECT_GE(all[i].y, 0);
+                        EXPECT_LE(all[i].x + all[i].width, width);
+                        EXPECT_LE(all[i].y + all[i].height, height);
+                    }
+                    if (width < 100 || height < 100) continue;
+                    const float beside = panels.source ? 0.5F * width : width;
+                    EXPECT_GE(layout.picture.width, 0.39F * beside);
+                    EXPECT_GE(layout.picture.height, height / 6);
+                }
+}
+
+TEST(Panels, stand_side_by_side_where_there_is_room_and_what_was_opened_last_goes_before_the_controls) {
+    const Panels both{.em = 14, .controls = true, .sheets = true};
+    EXPECT_GT(arrange(1280, 800, both).controls.width, 0);
+    EXPECT_GT(arrange(1280, 800, both).sheets.width, 0);
+    EXPECT_EQ(arrange(640, 320, both).controls.width, 0);
+    EXPECT_GT(arrange(640, 320, both).sheets.width, 0);
+    EXPECT_EQ(arrange(2560, 1600, {.em = 28, .controls = true}).controls.width,
+              2 * arrange(1280, 800, {.em = 14, .controls = true}).controls.width);
+}
+
+TEST(PictureInTheWindow, shows_at_least_as_much_of_the_scene_in_width_and_in_height_as_was_asked_for) {
+    Workspace workspace;
+    workspace.camera.horizontalFov = 30;
+    const double half = std::tan(glm::radians(15.0));
+    for (const double shape : {0.5, 1.0, 16.0 / 9}) {
+        const PictureArea area{.shape = shape};
+        for (const PixelSize size : {PixelSize{300, 900}, {640, 640}, {1920, 1080}, {3000, 200}}) {
+            const double seen = std::tan(glm::radians(0.5 * static_cast<double>(area.seen(workspace, size).camera.horizontalFov)));
+            const double high = seen * size.height / size.width;
+            EXPECT_GE(seen, half - 1e-6);
+            EXPECT_GE(high, half / shape - 1e-6);
+            EXPECT_NEAR(std::min(seen / half, high / (half / shape)), 1, 1e-5) << "and of one of them no more";
+        }
+    }
+}
+
+TEST(LightHandles, stand_where_the_light_is_seen_or_at_the_edge_and_are_turned_as_the_mouse_moves) {
+    const auto effect = sliders();
+    ASSERT_TRUE(effect) << format(effect.error());
+    ViewState state;
+    state.workspace.camera = {.position = {0, 0, 500}, .target = {0, 0, 0}, .up = {0, 1, 0}, .horizontalFov = 60};
+    state.workspace.light.position = {50, 80, 100};
+    const auto handle = [&] { return lightHandles(state, *effect, state.workspace, 1).front(); };
+    const double most = 400 * std::tan(glm::radians(30.0));
+    EXPECT_NEAR(handle().place.x, 0.5 + 0.5 * 50 / most, 1e-5);
+    EXPECT_NEAR(handle().place.y, 0.5 - 0.5 * 80 / most, 1e-5);
+    EXPECT_FALSE(handle().outside);
+    EXPECT_FALSE(handle().behind);
+    const LightHandle before = handle();
+    turnLight(state, *effect, before, {0.05, 0});
+    EXPECT_GT(handle().place.x, before.place.x);
+    turnLight(state, *effect, before, {-0.05, 0.05});
+    EXPECT_LT(handle().place.y, before.place.y);
+    state.workspace.light.position = {0, 0, -300};
+    EXPECT_TRUE(handle().behind);
+    state.workspace.light.position = {4000, 10, 900}; // behind the camera
+    EXPECT_TRUE(handle().outside);
+    EXPECT_NEAR(handle().place.x, 0.96, 1e-6);
+    state.workspace.light.direction = glm::vec3(0, -1, 0);
+    EXPECT_NEAR(handle().place.x, 0.5, 1e-6);
+    EXPECT_LT(handle().place.y, 0.2);
+    EXPECT_FALSE(handle().outside);
+}
+
+TEST(FileDialogs, list_folders_and_files_of_their_kind_and_take_what_is_there) {
+    const Folder folder;
+    fs::create_directories(folder.path / "sub");
+    for (const char* name : {"a.obj", "b.json", "c.txt", "sub/d.obj"})
+        (void)folder.write(name, "x");
+    FileDialog dialog;
+    dialog.open(FileUse::Mesh, folder.path);
+    ASSERT_EQ(dialog.entries.size(), 2U);
+    EXPECT_EQ(dialog.entries[0].name, "sub");
+    EXPECT_EQ(dialog.entries[1].name, "a.obj");
+    dialog.typed = "nowhere.obj";
+    EXPECT_TRUE(dialog.choose().empty());
+    EXPECT_FALSE(dialog.problem.empty());
+    dialog.typed = "sub";
+    EXPECT_TRUE(dialog.choose().empty());
+    EXPECT_EQ(dialog.folder, folder.path / "sub");
+    dialog.typed = "..";
+    EXPECT_TRUE(dialog.choose().empty());
+    EXPECT_EQ(dialog.folder.lexically_normal(), folder.path.lexically_normal());
+    dialog.typed = "a.obj";
+    EXPECT_EQ(dialog.choose(), folder.path / "a.obj");
+    dialog.open(FileUse::SaveWorkspace, folder.path);
+    dialog.typed = "new";
+    EXPECT_EQ(dialog.choose(), folder.path / "new.json");
+    dialog.typed = "b.json";
+    EXPECT_TRUE(dialog.choose().empty()) << "it is there: asked once more";
+    EXPECT_EQ(dialog.choose(), folder.path / "b.json");
+    dialog.typed = "none/new";
+    EXPECT_TRUE(dialog.choose().empty());
+}
 
 TEST(Sliders, of_whole_numbers_are_those_whose_type_or_steps_are_whole) {
     const auto effect = sliders();
@@ -389,6 +438,17 @@ TEST(Sliders, are_those_that_make_a_difference_to_the_frame) {
     for (const Parameter* parameter : slidersOf(state, *effect))
         shown.push_back(parameter->name);
     EXPECT_EQ(shown, (std::vector<std::string>{"gShare", "gBlurs"}));
+}
+
+TEST(Sliders, of_others_are_numbers_without_one_and_each_has_a_group) {
+    const auto effect = sliders();
+    ASSERT_TRUE(effect) << format(effect.error());
+    ViewState state;
+    state.read = {"gBlurs", "gInner", "gShare"};
+    const auto others = othersOf(state, *effect);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(others.front()->name, "gInner");
+    EXPECT_EQ(groupOf(*others.front()), "Sliders");
 }
 
 TEST(Keys, each_is_bound_once_and_the_help_names_every_one) {

@@ -95,6 +95,12 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
                        fmt::format("Picture size in pixels: WIDTHxHEIGHT, or one number for a square; default: the workspace's, else {}",
                                    options.usualSize));
     command
+        .add_option(
+            "--fit", options.fit,
+            "What a picture of another shape than the scene's keeps of it: width, height, or both; a scene without a size is square")
+        ->check(CLI::IsMember({"width", "height", "both"}))
+        ->capture_default_str();
+    command
         .add_option("--samples", options.samples,
                     "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
                     "cannot have several or has Direct3D 9's half pixel, and for render --frames")

@@ -1,11 +1,16 @@
 // tegument view: an effect in a window.
 
 #include "tools/view/view.h"
+#include "host/image/dds.h"
+#include "host/image/image.h"
 #include "host/support/file.h"
 #include "host/support/result.h"
 #include "host/support/temporary.h"
+#include "host/support/text.h"
 #include "meshprep/assets/generators.h"
+#include "meshprep/assets/given_values.h"
 #include "meshprep/assets/roots_on_mesh.h"
+#include "meshprep/light/environment.h"
 #include "meshprep/prepare/levels.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/dropped.h"
@@ -180,6 +185,42 @@ assets::Say told(Progress& progress) {
     };
 }
 
+/// As controls of the window: those that make a difference to this effect, without those that are there to measure.
+std::vector<Switch> switchControls(const Effect& effect) {
+    std::vector<Switch> controls;
+    if (!assets::takesSwitches(effect)) return controls;
+    const auto has = [&](std::string_view start) {
+        return std::ranges::any_of(effect.parameters, [&](const Parameter& parameter) { return parameter.name.starts_with(start); });
+    };
+    const bool fur = has("gFur") || has("gCoat");
+    const std::map<std::string, int> usual = {
+        {"MAP_SIZE", 1024}, {"SHADOW_SIZE", 1024}, {"MAP_BITS", 16}, {"RIBBON_ROWS", 2048}, {"LAMP_SHADOWS", 3}};
+    for (const assets::Switch& one : assets::switches()) {
+        std::string label = one.name.substr(std::string_view("TEGUMENT_").size());
+        const auto of = [&](std::initializer_list<std::string_view> words) {
+            return std::ranges::any_of(words, [&](std::string_view word) { return label.find(word) != std::string::npos; });
+        };
+        const bool measures = of({"SEAM_REPAIR", "CULL", "SHADOW_FROM_TSM", "PEERS"});
+        const bool ofFur = of({"FUR", "RIBBON", "MOTION"});
+        const bool ofSkin = of({"LOBES", "SLAB", "NORMAL_XY"});
+        if (measures || (ofFur && !fur) || (ofSkin && fur) || (of({"POST_HALF"}) && !has("gPost"))) continue;
+        const bool ofLight = of({"SURROUNDINGS", "LAMP", "SOFT_SHADOWS"});
+        const auto known = usual.find(label);
+        label = toLower(label);
+        std::ranges::replace(label, '_', ' ');
+        label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
+        controls.push_back({.name = one.name,
+                            .label = std::move(label),
+                            .help = one.meaning,
+                            .least = one.least,
+                            .most = one.most,
+                            .step = one.step,
+                            .usual = known == usual.end() ? 0 : known->second,
+                            .ofLight = ofLight});
+    }
+    return controls;
+}
+
 ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progress) {
     const auto job = std::make_shared<const Job>(std::move(read));
     RunOptions run = job->run;
@@ -200,26 +241,60 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .pictures = options.pictures,
             .renderArguments = renderArguments(options.job),
             .keeps = job,
+            .switches = switchControls(job->effect),
             .keepView = false,
             .fewer = prep::quickLevel,
             .rootsOn = assets::rootsOnMesh};
 }
 
-/// The request with a way to open what is dropped next.
+/// A panorama as the cube map that `tegument prep environment` makes of it, kept in the cache.
+Result<std::string> cubeMapOf(const std::filesystem::path& file) {
+    const std::string ending = toLower(file.extension().string());
+    if (ending != ".hdr" && ending != ".exr") return file.string();
+    const auto bytes = readFile(file);
+    if (!bytes) return bytes.error();
+    const std::filesystem::path kept = cacheFolder() / "light" / (contentHash(*bytes) + ".dds");
+    if (std::filesystem::exists(kept)) return kept.string();
+    const auto panorama = loadImage(file);
+    if (!panorama) return panorama.error();
+    const auto made = makeEnvironment(*panorama, file.string());
+    if (!made) return made.error();
+    std::error_code failed;
+    std::filesystem::create_directories(kept.parent_path(), failed);
+    if (const auto written = writeDds(kept, *made); !written) return written.error();
+    return kept.string();
+}
+
+/// The options with these values; one without a value is as if it had not been given.
+Result<JobOptions> withSets(JobOptions options, const std::vector<std::string>& sets) {
+    for (const std::string& set : sets) {
+        const std::string name = set.substr(0, set.find('=') + 1);
+        std::erase_if(options.sets, [&](const std::string& before) { return before.starts_with(name); });
+        if (set == name) continue;
+        const auto value = assets::findSwitch(name.substr(0, name.size() - 1)) ? Result<std::string>(set.substr(name.size()))
+                                                                               : cubeMapOf(set.substr(name.size()));
+        if (!value) return value.error();
+        options.sets.push_back(name + *value);
+    }
+    return options;
+}
+
+/// The request with a way to open what is dropped or chosen next.
 ViewRequest opening(const ViewOptions& options, ViewRequest request, Progress& progress) {
-    request.open = [options, &progress](const std::filesystem::path& file, const Effect& shown) -> Result<ViewRequest> {
+    request.open = [options, &progress](const Opening& asked, const Effect& shown) -> Result<ViewRequest> {
+        const std::filesystem::path& file = asked.file;
         ViewOptions next = options;
-        auto job = withDropped(options.job, file, shown);
+        auto job = asked.sets.empty() ? withDropped(options.job, file, shown) : withSets(options.job, asked.sets);
         if (!job) return job.error();
         next.job = std::move(*job);
-        progress.say("reading " + file.string());
+        progress.say("reading " + (asked.sets.empty() ? file.string() : asked.sets.back()));
         auto read = assets::loadJob(next.job, MeshFor::AnyTechnique, false, told(progress));
         progress.clear();
         if (!read) return read.error();
         warnOf(*read);
         ViewRequest opened = opening(next, requestFor(next, std::move(*read), progress), progress);
         const bool sceneNamed = !options.job.scene.mesh.empty() || !options.job.scene.workspace.empty();
-        const auto kind = kindOf(file);
+        const auto kind = asked.sets.empty() ? kindOf(file) : Dropped::Texture;
         opened.keepView = *kind == Dropped::Texture || (*kind == Dropped::Effect && sceneNamed);
         return opened;
     };
@@ -278,6 +353,7 @@ int runView(const ViewOptions& options) {
 void addView(CLI::App& program, Action& action) {
     auto options = std::make_shared<ViewOptions>();
     options->job.usualSize = "900x900";
+    options->job.fit = "both";
     CLI::App* command = program.add_subcommand("view", "Show an effect in a window, and again whenever its source changes");
     addJobOptions(*command, options->job);
     command->add_option("-o,--output", options->pictures, "Folder for the pictures and workspaces that the keys s, w and c write")

@@ -22,6 +22,7 @@ struct Input {
     double lightWheel = 0;
     std::vector<std::filesystem::path> dropped; // files
     glm::dvec2 cursor{-1};                      // share of the window from its left top; outside it: beyond 0 and 1
+    bool clicked = false;                       // where the overlay has the mouse
     bool any = false;                           // something that the overlay may want to know
     bool closed = false;
 };

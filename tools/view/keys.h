@@ -1,5 +1,5 @@
 #pragma once
-// What the keys do: one table for the window, the help on screen and --help.
+// What the keys do: one table for the window, its menus, the sheet of keys and --help.
 
 #include <optional>
 #include <span>
@@ -60,8 +60,12 @@ struct KeyBinding {
     char32_t key;
     Command command;
     const char* label; // "right"
+    const char* group; // a menu
     const char* text;  // "the picture as it is after the next pass"
 };
+
+/// In the order of the table.
+inline constexpr const char* kKeyGroups[] = {"File", "Picture", "Camera", "Panels", "Compare", "Help"};
 
 [[nodiscard]] std::span<const KeyBinding> keyBindings();
 [[nodiscard]] std::optional<Command> commandOf(char32_t key);

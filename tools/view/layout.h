@@ -1,57 +1,45 @@
 #pragma once
-// Where the panels stand on the window: none covers another, and none the picture where both have room. Needs no window.
-
-#include <functional>
-#include <optional>
+// Where the panels stand in the window: none covers another, and none the picture. Needs no window.
 
 namespace tegument::view {
 
-/// Pixels of the window, from its left top corner.
+/// Of the window, from its left top corner.
 struct Area {
     float x = 0;
     float y = 0;
     float width = 0;
     float height = 0;
+    bool operator==(const Area&) const = default;
 };
 
-/// What a panel would take: its width, and its height at a width.
-struct PanelSize {
-    float width = 0;
-    std::function<float(float width)> height;
-};
-
-/// Of each panel that is to be shown.
-template <class Property>
+/// What is to be shown.
 struct Panels {
-    std::optional<Property> lines;
-    std::optional<Property> help;
-    std::optional<Property> sliders;
-    std::optional<Property> problem;
-    std::optional<Property> strip;
-    std::optional<Property> histogram;
-    std::optional<Property> times;
+    float em = 14;      // height of a letter's box
+    bool frame = false; // menus above, the line of state below
+    bool controls = false;
+    bool sheets = false; // keys, values, times, textures ...
+    bool strip = false;  // targets as small pictures
+    bool source = false; // the effect's text
+    float problem = 0;   // height of its text
 };
 
-struct PanelSizes : Panels<PanelSize> {
-    bool linesTakeRoom = false; // they are more than a note on the picture
+/// Of each panel; without width and height: it is not shown.
+struct Layout {
+    Area bar;
+    Area controls;
+    Area sheets;
+    Area strip;
+    Area problem;
+    Area status;
+    Area source;
+    Area picture; // the rest: at least two fifths of the width beside the source, and more than a sixth of the height
+    bool operator==(const Layout&) const = default;
 };
 
-/// Pixels that panels take from the picture at the sides of the window.
-struct Dock {
-    float left = 0;
-    float right = 0;
-    float bottom = 0;
-    bool operator==(const Dock&) const = default;
-};
+inline constexpr float kRowHeight = 1.6F; // em: a line with its frame
 
-struct PanelAreas : Panels<Area> {
-    Dock dock; // nothing at a side where the picture would be left with less than two fifths of the window
-};
-
-inline constexpr float kPanelMargin = 8;
-
-/// The problem at the bottom and the strip above it, the sliders to the right, times of passes and the histogram below them, the lines to
-/// the left and the help below them. What has no room is cut: panels scroll. Lines and the problem lie on the picture.
-[[nodiscard]] PanelAreas arrange(float width, float height, const PanelSizes& sizes);
+/// Controls to the right, sheets to the left; in a window too narrow for both the sheets alone, and beside the source no controls. What has
+/// no room is cut: panels scroll.
+[[nodiscard]] Layout arrange(float width, float height, const Panels& panels);
 
 } // namespace tegument::view

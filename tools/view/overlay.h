@@ -1,5 +1,5 @@
 #pragma once
-// Text and sliders on the picture: Dear ImGui, drawn by the canvas.
+// Text and controls beside the picture: Dear ImGui, drawn by the canvas, its letters as large as the screen asks for.
 
 #include "tools/view/canvas.h"
 #include "tools/view/window.h"
@@ -18,9 +18,11 @@ public:
     Overlay& operator=(Overlay&&) noexcept;
     ~Overlay();
 
+    /// Height of a letter's box, in the window's points.
+    [[nodiscard]] float em() const;
     /// The mouse is over something that takes it.
     [[nodiscard]] bool wantsMouse() const;
-    /// A field of it takes what is typed.
+    /// A field of it takes what is typed, or a dialog is open.
     [[nodiscard]] bool wantsKeys() const;
     /// Keys wait for its next frame.
     [[nodiscard]] bool hasKeys() const;
@@ -28,6 +30,7 @@ public:
     [[nodiscard]] Result<void> draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content);
 
 private:
+    [[nodiscard]] Result<void> fitFont();
     struct State;
     explicit Overlay(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;

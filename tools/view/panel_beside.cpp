@@ -14,48 +14,32 @@ constexpr ImU32 kLine = IM_COL32(255, 255, 255, 220);
 constexpr ImU32 kBehind = IM_COL32(15, 15, 15, 190);
 constexpr ImU32 kLetters = IM_COL32(255, 255, 255, 255);
 
-/// From `least` to `most`, where a label may stand.
-struct Span {
-    float least = 0;
-    float most = 0;
-    [[nodiscard]] float width() const { return std::max(1.0F, most - least); }
-};
-
-float heightOf(const std::string& text, const Span& span) {
-    return ImGui::CalcTextSize(text.c_str(), nullptr, false, span.width()).y;
-}
-
-/// With its right or left end at x, and its lower one at `bottom`; of several lines where there is no room for one.
-void label(const std::string& text, float x, float bottom, bool endsThere, const Span& span) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, span.width());
-    const float left = std::clamp(endsThere ? x - size.x : x, span.least, std::max(span.least, span.most - size.x));
-    const float top = bottom - size.y;
-    list.AddRectFilled(ImVec2(left - 3, top - 1), ImVec2(left + size.x + 3, bottom + 1), kBehind);
-    list.AddText(nullptr, 0, ImVec2(left, top), kLetters, text.c_str(), nullptr, span.width());
-}
-
 } // namespace
 
-void drawBorder(double border, const BesideText& text, const Area& picture, float right, float bottom) {
-    const Span all{.least = picture.x + 3, .most = std::min(picture.x + picture.width, right) - 3};
-    const float x = picture.x + static_cast<float>(border) * picture.width;
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    bottom -= kPanelMargin;
-    label(text.error, all.least + kPanelMargin, bottom, false, all);
-    bottom -= heightOf(text.error, all) + 0.4F * line;
+void drawBorder(double border, const BesideText& text, const Area& picture) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float margin = 0.5F * ImGui::GetFontSize();
+    const float room = std::max(1.0F, picture.width - 2 * margin);
+    float bottom = picture.y + picture.height - margin;
+    // Beginning at x, or ending there, in as many lines as it takes; what comes next stands above it.
+    const auto label = [&](const std::string& words, float x, bool endsThere) {
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, room);
+        const float least = picture.x + margin;
+        const float left = std::clamp(endsThere ? x - size.x : x, least, std::max(least, least + room - size.x));
+        list.AddRectFilled(ImVec2(left - 3, bottom - size.y - 1), ImVec2(left + size.x + 3, bottom + 1), kBehind);
+        list.AddText(nullptr, 0, ImVec2(left, bottom - size.y), kLetters, words.c_str(), nullptr, room);
+        bottom -= size.y + 0.3F * ImGui::GetFontSize();
+    };
+    label(text.error, picture.x, false);
     if (text.colours) {
-        const std::string what = "error of " + text.right + " against " + text.left;
-        label(what, all.least + kPanelMargin, bottom, false, all);
-        label("black: a thousandth of the mean, red: all of it", all.least + kPanelMargin, bottom - heightOf(what, all) - 0.4F * line,
-              false, all);
+        label("error of " + text.right + " against " + text.left, picture.x, false);
+        label("black: a thousandth of the mean, red: all of it", picture.x, false);
         return;
     }
-    label(text.left, x - kPanelMargin, bottom, true, all);
-    const float needs = x + 2 * kPanelMargin + ImGui::CalcTextSize(text.right.c_str()).x;
-    // Above the other's name where there is no room.
-    label(text.right, x + kPanelMargin, needs > all.most ? bottom - heightOf(text.left, all) - 0.4F * line : bottom, false, all);
-    ImGui::GetBackgroundDrawList()->AddLine(ImVec2(x, picture.y), ImVec2(x, picture.y + picture.height), kLine, 1);
+    const float x = picture.x + static_cast<float>(border) * picture.width;
+    label(text.left, x - margin, true);
+    label(text.right, x + margin, false);
+    list.AddLine(ImVec2(x, picture.y), ImVec2(x, picture.y + picture.height), kLine, 1);
 }
 
 } // namespace tegument::view

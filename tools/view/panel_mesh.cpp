@@ -17,19 +17,6 @@ constexpr const char* kOnceMore = "bake again";
 constexpr std::size_t kMostBytes = 64;
 constexpr double kSecond = 1000; // milliseconds
 
-float widestOf(const std::vector<std::string>& lines) {
-    float widest = 0;
-    for (const std::string& line : lines)
-        widest = std::max(widest, ImGui::CalcTextSize(line.c_str()).x);
-    return widest;
-}
-
-PanelSize sizeOfLines(float widest, std::size_t lines) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float height = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() + 2 * style.WindowPadding.y;
-    return {.width = widest + 2 * style.WindowPadding.x + style.ScrollbarSize, .height = [height](float) { return height; }};
-}
-
 std::string timeText(double milliseconds) {
     return milliseconds < kSecond ? fmt::format("{:.1f} ms", milliseconds) : fmt::format("{:.1f} s", milliseconds / kSecond);
 }
@@ -57,19 +44,11 @@ std::string shortened(const std::string& text) {
 
 } // namespace
 
-PanelSize legendSize(const PanelPictures& pictures) {
-    std::vector<std::string> labels = pictures.figures;
-    for (const LegendEntry& entry : pictures.legend)
-        labels.push_back("    " + entry.label);
-    return sizeOfLines(widestOf(labels), labels.size());
-}
-
-void drawLegend(const PanelPictures& pictures, const Area& area) {
-    if (area.width <= 0 || area.height <= 0) return;
-    placePanel(area);
-    ImGui::Begin("legend", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
+void drawLegend(const PanelPictures& pictures) {
+    ImGui::PushTextWrapPos(0);
     for (const std::string& line : pictures.figures)
         ImGui::TextUnformatted(line.c_str());
+    ImGui::PopTextWrapPos();
     const float line = ImGui::GetTextLineHeight();
     for (const LegendEntry& entry : pictures.legend) {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -80,7 +59,6 @@ void drawLegend(const PanelPictures& pictures, const Area& area) {
         ImGui::SameLine();
         ImGui::TextUnformatted(entry.label.c_str());
     }
-    ImGui::End();
 }
 
 std::string bakeText(const SessionTexture& texture) {
@@ -91,34 +69,26 @@ std::string bakeText(const SessionTexture& texture) {
     return fmt::format("once baked in {}; from the cache now, found in {}", timeText(bake.once), timeText(bake.milliseconds));
 }
 
-PanelSize texturesSize(const std::vector<SessionTexture>& textures) {
-    std::vector<std::string> lines{kBakeAgain};
-    for (const SessionTexture& texture : textures) {
-        lines.push_back(texture.name + "  " + sizeText(texture));
-        lines.push_back("    " + shortened(texture.source));
-        if (texture.bake) lines.push_back(fmt::format("    {}  {}  ", bakeText(texture), kOnceMore));
-    }
-    return sizeOfLines(widestOf(lines), lines.size());
-}
-
-void drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown, const Area& area, PanelOutcome& outcome) {
-    if (area.width <= 0 || area.height <= 0) return;
-    placePanel(area);
-    ImGui::Begin("textures", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
+void drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown, PanelOutcome& outcome) {
     for (const SessionTexture& texture : textures) {
         const std::string label = fmt::format("{}  {}##{}", texture.name, sizeText(texture), texture.name);
         if (ImGui::Selectable(label.c_str(), texture.name == shown)) outcome.opened = texture.name;
-        ImGui::TextColored(kSourceText, "    %s", shortened(texture.source).c_str());
+        noteItem("texture/" + texture.name);
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextColored(kSourceText, "%s", shortened(texture.source).c_str());
+        ImGui::PopTextWrapPos();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", texture.source.c_str());
         if (!texture.bake) continue;
-        ImGui::TextUnformatted("   ");
-        ImGui::SameLine();
         if (ImGui::SmallButton(fmt::format("{}##{}", kOnceMore, texture.name).c_str())) outcome.baked = texture.name;
+        noteItem("bake/" + texture.name);
         ImGui::SameLine();
+        ImGui::PushTextWrapPos(0);
         ImGui::TextColored(kSourceText, "%s", bakeText(texture).c_str());
+        ImGui::PopTextWrapPos();
     }
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(kBakeAgain);
-    ImGui::End();
+    ImGui::PopTextWrapPos();
 }
 
 } // namespace tegument::view

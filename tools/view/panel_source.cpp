@@ -1,8 +1,9 @@
 // The effect's text beside the picture.
 
 #include "tools/view/panel.h"
+#include "tools/view/panel_parts.h"
 
-#include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <string>
@@ -16,15 +17,6 @@ constexpr ImU32 kWrong = IM_COL32(150, 30, 25, 190);
 const ImVec4 kComplaint(1.0F, 0.55F, 0.5F, 1.0F);
 constexpr int kDigits = 5;
 constexpr int kLinesAbove = 6; // of one that is brought into sight
-
-/// Dear ImGui writes into the string, which grows with it.
-int grow(ImGuiInputTextCallbackData* data) {
-    if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
-    auto& text = *static_cast<std::string*>(data->UserData);
-    text.resize(static_cast<std::size_t>(data->BufTextLen));
-    data->Buf = text.data();
-    return 0;
-}
 
 void chooseFile(SourceText& source) {
     ImGui::PushItemWidth(-1);
@@ -72,9 +64,9 @@ void drawText(SourceText& source) {
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0, 0, 0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     const std::string before = source.text;
-    ImGui::InputTextMultiline("##text", source.text.data(), source.text.capacity() + 1,
-                              ImVec2(width - gutter, line * static_cast<float>(lines + 1)),
-                              ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AllowTabInput, grow, &source.text);
+    ImGui::InputTextMultiline("##text", &source.text, ImVec2(width - gutter, line * static_cast<float>(lines + 1)),
+                              ImGuiInputTextFlags_AllowTabInput);
+    noteItem("source/text");
     // Dear ImGui takes back what was typed when Esc leaves the text.
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) source.text = before;
     ImGui::PopStyleVar();
@@ -84,13 +76,8 @@ void drawText(SourceText& source) {
 } // namespace
 
 void drawSource(SourceText& source, const Area& area) {
-    if (area.width <= 0 || area.height <= 0) return;
-    ImGui::SetNextWindowPos(ImVec2(area.x, area.y), ImGuiCond_Always);
-    ImGui::SetNextWindowSize(ImVec2(area.width, area.height), ImGuiCond_Always);
-    ImGui::SetNextWindowBgAlpha(1);
-    ImGui::Begin("source", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+    const FixedPanel panel("source", area, ImGuiWindowFlags_NoScrollbar);
+    if (!panel) return;
     chooseFile(source);
     if (!source.problem.empty()) {
         ImGui::PushTextWrapPos(0);
@@ -105,7 +92,6 @@ void drawSource(SourceText& source, const Area& area) {
     ImGui::BeginChild("lines", ImVec2(0, 0), false, ImGuiWindowFlags_HorizontalScrollbar);
     drawText(source);
     ImGui::EndChild();
-    ImGui::End();
 }
 
 } // namespace tegument::view

@@ -11,13 +11,13 @@ namespace tegument::view {
 
 namespace {
 
-constexpr float kThumbnail = 72; // pixels high, where there is room
-constexpr float kLeastThumbnail = 24;
-constexpr float kLane = 40; // pixels above them, for the arrows
-constexpr float kLeastLane = 20;
-constexpr float kHead = 5; // of an arrow
-constexpr float kThin = 1.5F;
-constexpr float kThick = 2.5F;
+constexpr float kThumbnail = 5; // em high, where there is room
+constexpr float kLeastThumbnail = 1.7F;
+constexpr float kLane = 2.8F; // em above them, for the arrows
+constexpr float kLeastLane = 1.4F;
+constexpr float kHead = 0.36F; // of an arrow
+constexpr float kThin = 0.11F;
+constexpr float kThick = 0.18F;
 const ImVec4 kShownFrame(0.45F, 0.75F, 1.0F, 1.0F);
 constexpr ImU32 kOnward = IM_COL32(150, 190, 225, 190);
 constexpr ImU32 kBack = IM_COL32(235, 130, 205, 200); // to what was drawn before, or to itself
@@ -50,10 +50,11 @@ float distanceBetween(const Place& a, const Place& b) {
 
 void drawArrow(const ImVec2& from, const ImVec2& to, float height, ImU32 color, float thickness) {
     constexpr float kRise = 1 / 0.75F; // a Bezier curve comes to three quarters of its handles
+    const float head = kHead * ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end(to.x, to.y - kHead);
+    const ImVec2 end(to.x, to.y - head);
     list.AddBezierCubic(from, ImVec2(from.x, from.y - kRise * height), ImVec2(to.x, to.y - kRise * height), end, color, thickness);
-    list.AddTriangleFilled(to, ImVec2(to.x - 0.7F * kHead, to.y - 1.5F * kHead), ImVec2(to.x + 0.7F * kHead, to.y - 1.5F * kHead), color);
+    list.AddTriangleFilled(to, ImVec2(to.x - 0.7F * head, to.y - 1.5F * head), ImVec2(to.x + 0.7F * head, to.y - 1.5F * head), color);
 }
 
 /// `bold`: of this picture they are drawn on top, in a colour of their own.
@@ -77,9 +78,9 @@ void drawArrows(const std::vector<TargetArrow>& arrows, const Places& places, co
             const float y = portOf(to, used[arrow.to].in++, all[arrow.to].in, false);
             const bool isBold = arrow.from == bold || arrow.to == bold;
             if (isBold != boldOnes) continue;
-            const float height = (lane - kHead) * (0.4F + 0.55F * distanceBetween(from, to) / farthest);
+            const float height = (lane - kHead * ImGui::GetFontSize()) * (0.4F + 0.55F * distanceBetween(from, to) / farthest);
             const ImU32 color = isBold ? kOfThis : from.index < to.index ? kOnward : kBack;
-            drawArrow(ImVec2(x, from.top), ImVec2(y, to.top), height, color, isBold ? kThick : kThin);
+            drawArrow(ImVec2(x, from.top), ImVec2(y, to.top), height, color, (isBold ? kThick : kThin) * ImGui::GetFontSize());
         }
     }
 }
@@ -120,19 +121,14 @@ std::string nameOf(const Thumbnail& thumbnail) {
     return thumbnail.name.empty() ? "picture" : thumbnail.name;
 }
 
-PanelSize stripSize(const PanelPictures& pictures) {
-    const float height = kThumbnail + (pictures.arrows.empty() ? 0 : kLane) + textHeight();
-    return {.width = ImGui::GetIO().DisplaySize.x, .height = [height](float) { return height; }};
-}
-
 std::optional<std::string> drawStrip(const PanelPictures& pictures, const Area& area) {
     std::optional<std::string> opened;
-    if (area.width <= 0 || area.height <= 0) return opened;
-    placePanel(area);
-    ImGui::Begin("targets", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
+    const FixedPanel panel("targets", area, ImGuiWindowFlags_HorizontalScrollbar);
+    if (!panel) return opened;
+    const float em = ImGui::GetFontSize();
     const float room = area.height - textHeight();
-    const float lane = pictures.arrows.empty() ? 0 : std::clamp(room - kThumbnail, kLeastLane, kLane);
-    const float height = std::clamp(room - lane, kLeastThumbnail, kThumbnail);
+    const float lane = pictures.arrows.empty() ? 0 : std::clamp(room - kThumbnail * em, kLeastLane * em, kLane * em);
+    const float height = std::clamp(room - lane, kLeastThumbnail * em, kThumbnail * em);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lane);
     Places places;
     std::string bold;
@@ -144,12 +140,12 @@ std::optional<std::string> drawStrip(const PanelPictures& pictures, const Area& 
         if (thumbnail.shown) bold = thumbnail.name;
         if (ImGui::IsItemHovered()) hovered = &thumbnail;
         if (ImGui::IsItemClicked()) opened = thumbnail.name;
+        noteItem("target/" + nameOf(thumbnail));
         scrollTo(thumbnail);
         ImGui::SameLine();
     }
     drawArrows(pictures.arrows, places, hovered ? hovered->name : bold, lane);
     if (hovered) ImGui::SetTooltip("%s\n%s", nameOf(*hovered).c_str(), arrowText(pictures.arrows, hovered->name).c_str());
-    ImGui::End();
     return opened;
 }
 

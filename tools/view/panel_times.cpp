@@ -1,4 +1,4 @@
-// Times of passes: frames as stacked bars, and a row for each pass.
+// Times of passes: a row for each.
 
 #include "tools/view/panel.h"
 #include "tools/view/panel_parts.h"
@@ -7,17 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace tegument::view {
 
 namespace {
 
-constexpr float kTimesWidth = 300;
-constexpr float kTimesHeight = 64; // of the bars
-constexpr float kBarRoom = 0.98F;  // of a frame's width
-constexpr ImU32 kBehindBars = IM_COL32(40, 40, 40, 200);
-constexpr ImU32 kScale = IM_COL32(200, 200, 200, 255);
 const ImVec4 kPassKept(0.72F, 0.72F, 0.72F, 1.0F);
 
 /// Neighbours differ by the golden section of the circle of hues.
@@ -25,35 +19,6 @@ ImU32 colorOfPass(std::size_t index) {
     constexpr double kGolden = 0.61803398875;
     const auto hue = static_cast<float>(std::fmod(0.58 + kGolden * static_cast<double>(index), 1.0));
     return ImColor::HSV(hue, index % 2 == 0 ? 0.62F : 0.45F, 0.92F);
-}
-
-double longestFrame(const PassTimes& times) {
-    double longest = 0;
-    for (const auto& frame : times.frames())
-        longest = std::max(longest, std::accumulate(frame.begin(), frame.end(), 0.0));
-    return longest;
-}
-
-/// One bar for each frame, the newest to the right.
-void drawFrames(const PassTimes& times, double longest) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float step = width / static_cast<float>(PassTimes::kMostFrames);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(corner, ImVec2(corner.x + width, corner.y + kTimesHeight), kBehindBars);
-    float left = corner.x + width - step * static_cast<float>(times.frames().size());
-    for (const auto& frame : times.frames()) {
-        double below = 0;
-        for (std::size_t i = 0; i < frame.size(); ++i) {
-            const auto at = [&](double sum) { return corner.y + kTimesHeight * static_cast<float>(1 - sum / std::max(longest, 1e-9)); };
-            list.AddRectFilled(ImVec2(left, at(below + frame[i])), ImVec2(left + kBarRoom * step, at(below)), colorOfPass(i));
-            below += frame[i];
-        }
-        left += step;
-    }
-    const std::string scale = fmt::format("{:.3g} ms", longest);
-    list.AddText(ImVec2(corner.x + 3, corner.y + 1), kScale, scale.c_str());
-    ImGui::Dummy(ImVec2(width, kTimesHeight));
 }
 
 std::string nameOf(const PassTime& pass) {
@@ -70,13 +35,14 @@ void drawRow(const PassTime& pass, std::size_t index, double longest) {
     const auto share = static_cast<float>(pass.milliseconds / std::max(longest, 1e-9));
     ImU32 color = colorOfPass(index);
     if (pass.kept) color = (color & ~IM_COL32_A_MASK) | (IM_COL32_A_MASK & IM_COL32(0, 0, 0, 90));
-    list.AddRectFilled(ImVec2(corner.x, corner.y + 2), ImVec2(corner.x + line - 4, corner.y + line - 2), color);
+    list.AddRectFilled(ImVec2(corner.x, corner.y + 0.15F * line), ImVec2(corner.x + 0.7F * line, corner.y + 0.85F * line), color);
     const float barLeft = corner.x + 0.72F * width;
-    list.AddRectFilled(ImVec2(barLeft, corner.y + 3), ImVec2(barLeft + std::max(1.0F, 0.28F * width * share), corner.y + line - 3), color);
+    list.AddRectFilled(ImVec2(barLeft, corner.y + 0.2F * line),
+                       ImVec2(barLeft + std::max(1.0F, 0.28F * width * share), corner.y + 0.8F * line), color);
     const std::string time = fmt::format("{:.2f}", pass.milliseconds);
-    const float timeLeft = barLeft - 6 - ImGui::CalcTextSize(time.c_str()).x;
+    const float timeLeft = barLeft - 0.4F * line - ImGui::CalcTextSize(time.c_str()).x;
     const ImU32 letters = ImGui::ColorConvertFloat4ToU32(pass.kept ? kPassKept : ImVec4(1, 1, 1, 1));
-    list.PushClipRect(corner, ImVec2(barLeft - 8 - numbers, corner.y + line), true);
+    list.PushClipRect(corner, ImVec2(barLeft - 0.6F * line - numbers, corner.y + line), true);
     list.AddText(ImVec2(corner.x + line, corner.y), letters, nameOf(pass).c_str());
     list.PopClipRect();
     list.AddText(ImVec2(timeLeft, corner.y), letters, time.c_str());
@@ -95,35 +61,18 @@ std::string sumLine(const TimesOfSide& side) {
 
 } // namespace
 
-PanelSize timesSize(const std::vector<TimesOfSide>& sides) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float height = 2 * style.WindowPadding.y;
-    for (const TimesOfSide& side : sides)
-        height += kTimesHeight +
-                  (static_cast<float>(side.times->passes().size()) + (side.name.empty() ? 1 : 2)) * ImGui::GetTextLineHeightWithSpacing() +
-                  2 * style.ItemSpacing.y;
-    return {.width = kTimesWidth, .height = [height](float) { return height; }};
-}
-
-void drawTimes(const std::vector<TimesOfSide>& sides, const Area& area) {
-    if (area.width <= 0 || area.height <= 0) return;
-    placePanel(area);
-    ImGui::Begin("times", nullptr, kFixedPanel);
-    double longestOfAll = 0;
+void drawTimes(const std::vector<TimesOfSide>& sides) {
     double longestPass = 0;
     for (const TimesOfSide& side : sides) { // one scale for both
-        longestOfAll = std::max(longestOfAll, longestFrame(*side.times));
         for (const PassTime& pass : side.times->passes())
             longestPass = std::max(longestPass, pass.milliseconds);
     }
     for (const TimesOfSide& side : sides) {
         if (!side.name.empty()) ImGui::TextUnformatted(side.name.c_str());
         ImGui::TextUnformatted(sumLine(side).c_str());
-        drawFrames(*side.times, longestOfAll);
         for (std::size_t i = 0; i < side.times->passes().size(); ++i)
             drawRow(side.times->passes()[i], i, longestPass);
     }
-    ImGui::End();
 }
 
 } // namespace tegument::view

@@ -50,23 +50,15 @@ void PassTimes::note(const SessionFrame& frame) {
     FrameTimes times = timesOf(frame);
     const bool known = hasResolve(passes_);
     addResolve(frame.resolveMilliseconds, known, times);
-    if (!known && hasResolve(times.passes) && samePasses(passes_, {times.passes.begin(), times.passes.end() - 1})) {
+    if (!known && hasResolve(times.passes) && samePasses(passes_, {times.passes.begin(), times.passes.end() - 1}))
         passes_.push_back(times.passes.back());
-        for (auto& earlier : frames_)
-            earlier.push_back(0);
-    }
-    if (!samePasses(passes_, times.passes)) {
-        passes_ = times.passes;
-        frames_.clear();
-    }
+    if (!samePasses(passes_, times.passes)) passes_ = times.passes;
     for (std::size_t i = 0; i < passes_.size(); ++i) {
         PassTime& pass = passes_[i];
         pass.kept = times.passes[i].kept;
         const double time = times.milliseconds[i];
         if (time > 0) pass.milliseconds = pass.milliseconds == 0 ? time : (1 - kNew) * pass.milliseconds + kNew * time;
     }
-    frames_.push_back(std::move(times.milliseconds));
-    if (frames_.size() > kMostFrames) frames_.pop_front();
 }
 
 double PassTimes::drawn() const {

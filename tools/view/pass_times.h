@@ -1,9 +1,8 @@
 #pragma once
-// GPU milliseconds of each pass over the last frames, from the times that every frame brings. Needs no window and no GPU.
+// GPU milliseconds of each pass, smoothed over the last frames. Needs no window and no GPU.
 
 #include "host/run/session_frame.h"
 
-#include <deque>
 #include <string>
 #include <vector>
 
@@ -19,14 +18,10 @@ struct PassTime {
 
 class PassTimes {
 public:
-    static constexpr std::size_t kMostFrames = 96;
-
     /// Other passes than before: what was known of those is gone.
     void note(const SessionFrame& frame);
 
     [[nodiscard]] const std::vector<PassTime>& passes() const { return passes_; } // in the order of the frame, then the resolve
-    /// The oldest first: a time for each of passes(), 0 where it was kept.
-    [[nodiscard]] const std::deque<std::vector<double>>& frames() const { return frames_; }
     /// Smoothed, of what the last frame drew.
     [[nodiscard]] double drawn() const;
     /// Likewise, had it drawn all.
@@ -34,7 +29,6 @@ public:
 
 private:
     std::vector<PassTime> passes_;
-    std::deque<std::vector<double>> frames_;
 };
 
 } // namespace tegument::view

@@ -94,11 +94,6 @@ Request reset(ViewState& state, const ViewState& start) {
     return Request::Draw;
 }
 
-Request toggle(bool& flag) {
-    flag = !flag;
-    return Request::None;
-}
-
 /// What is under the cursor stays there.
 Request zoomIn(ViewState& state) {
     if (state.zoom >= kMostZoom) return Request::None;
@@ -139,11 +134,29 @@ Request lookFrom(ViewState& state, const glm::vec3& side) {
 
 } // namespace
 
-Request apply(ViewState& state, Command command, const ViewState& start) {
+bool* switchOf(ViewState& state, Command command) {
     switch (command) {
-    case Command::Help: return toggle(state.help);
-    case Command::Parameters: return toggle(state.sliders);
-    case Command::Information: return toggle(state.information);
+    case Command::Help: return &state.help;
+    case Command::Parameters: return &state.controls;
+    case Command::Information: return &state.information;
+    case Command::Probe: return &state.probe;
+    case Command::Strip: return &state.strip;
+    case Command::Times: return &state.times;
+    case Command::Textures: return &state.textures;
+    case Command::Bindings: return &state.bindings;
+    case Command::Errors: return &state.errors;
+    case Command::Source: return &state.source;
+    default: return nullptr;
+    }
+}
+
+Request apply(ViewState& state, Command command, const ViewState& start) {
+    if (bool* flag = switchOf(state, command)) {
+        *flag = !*flag;
+        if (command == Command::Information) state.controls = state.information;
+        return Request::None;
+    }
+    switch (command) {
     case Command::NextTechnique: return stepTechnique(state, 1);
     case Command::PreviousTechnique: return stepTechnique(state, -1);
     case Command::NextPass: return stepPass(state, 1);
@@ -168,18 +181,18 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::NextPreset: return stepPreset(state, start);
     case Command::SaveWorkspace: return Request::SaveWorkspace;
     case Command::CopyCommand: return Request::CopyCommand;
-    case Command::Probe: return toggle(state.probe);
-    case Command::Strip: return toggle(state.strip);
-    case Command::Times: return toggle(state.times);
-    case Command::Textures: return toggle(state.textures);
     case Command::Mesh: return stepMesh(state);
-    case Command::Bindings: return toggle(state.bindings);
     case Command::Keep: return Request::Keep;
-    case Command::Errors: return toggle(state.errors);
-    case Command::Source: return toggle(state.source);
     case Command::Quit: return Request::Quit;
+    default: return Request::None;
     }
-    return Request::None;
+}
+
+std::vector<double> valueOf(const ViewState& state, const Parameter& parameter) {
+    for (const auto* values : {&state.parameters, &state.workspace.parameters})
+        if (const auto found = values->find(parameter.name); found != values->end()) return found->second;
+    const auto* numbers = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr;
+    return numbers ? *numbers : std::vector<double>();
 }
 
 glm::dvec2 placeSeenAt(const ViewState& state, glm::dvec2 seen) {

@@ -43,9 +43,9 @@ struct ViewState {
     glm::dvec2 zoomAt{0.5};                   // share of the picture that stays where it is
     glm::dvec2 cursor{0.5};                   // likewise, of the picture as it is seen; where `zoom` goes
     std::map<std::string, std::string> binds; // of a foreign effect's parameters: AdoptOptions::bind
-    bool help = false;
-    bool sliders = false;
-    bool information = true;
+    bool help = false;                        // the sheet of keys
+    bool controls = true;
+    bool information = true; // menus, line of state, lights as handles
     bool probe = false;
     bool strip = false;
     bool times = false;
@@ -60,6 +60,8 @@ struct ViewState {
 
 /// `start`: what Command::Reset goes back to.
 [[nodiscard]] Request apply(ViewState& state, Command command, const ViewState& start);
+/// What a key turns on and off; none: it does something else.
+[[nodiscard]] bool* switchOf(ViewState& state, Command command);
 /// The parameters as `start` has them, with those of the preset of this name; none for an empty name.
 void choosePreset(ViewState& state, const std::string& name, const ViewState& start);
 /// Whether what is shown has surroundings that can be turned.
@@ -76,6 +78,9 @@ void adopt(ViewState& state, const Effect& effect);
 
 /// Shows this target of the whole frame; the picture for an empty name.
 [[nodiscard]] Request showTarget(ViewState& state, const std::string& name);
+
+/// What the parameter has now: as it was set, as the scene or its default has it; empty: no numbers.
+[[nodiscard]] std::vector<double> valueOf(const ViewState& state, const Parameter& parameter);
 
 /// Where on the whole picture a place lies that is seen at `seen`; both shares from the left top.
 [[nodiscard]] glm::dvec2 placeSeenAt(const ViewState& state, glm::dvec2 seen);

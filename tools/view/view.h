@@ -11,6 +11,24 @@
 
 namespace tegument {
 
+/// What is to be shown next: a file in the place of what was there, or values that the effect is read again for.
+struct Opening {
+    std::filesystem::path file;
+    std::vector<std::string> sets; // NAME=VALUE of switches and textures; without a value: as if it had not been given
+};
+
+/// A switch of the effects as a control.
+struct Switch {
+    std::string name;
+    std::string label;
+    std::string help;
+    int least = 0;
+    int most = 1;
+    int step = 1;
+    int usual = 0;
+    bool ofLight = false;
+};
+
 struct ViewRequest {
     std::filesystem::path effect;
     LoadOptions load;
@@ -26,9 +44,11 @@ struct ViewRequest {
     /// Of `tegument render`, besides effect, technique, setting, workspace, size and `binds`: what the command line asked for.
     std::vector<std::string> renderArguments;
     std::shared_ptr<const void> keeps; // what `scene` points at
+    std::vector<Switch> switches;      // that the effect has
     bool keepView = false;             // of one that `open` made: camera, light and parameters stay where they are
-    /// The request with a file that was dropped on the window: an effect, a mesh, a workspace or a texture of `shown`.
-    std::function<Result<ViewRequest>(const std::filesystem::path& dropped, const Effect& shown)> open;
+    /// The request with a file that was dropped on the window or chosen (an effect, a mesh, a workspace or a texture of `shown`), or with
+    /// values.
+    std::function<Result<ViewRequest>(const Opening& opening, const Effect& shown)> open;
     /// A mesh in about so many triangles, over its own vertices, for pictures of what moves; called from another thread. None: every mesh
     /// is drawn as it is.
     std::function<std::vector<std::uint32_t>(const Mesh& mesh, std::size_t triangles)> fewer;

@@ -5,6 +5,7 @@
 #include "host/run/semantics.h"
 #include "host/support/file.h"
 #include "tools/view/levels.h"
+#include "tools/view/places.h"
 #include "tools/view/workspace_write.h"
 
 #include <fmt/format.h>
@@ -23,10 +24,8 @@ namespace {
 constexpr double kBetweenLooks = 0.05;                  // seconds between two looks at the files
 constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in the middle of a file
 constexpr auto kMostSaving = std::chrono::seconds(1);
-constexpr double kShort = 0.005;   // while the text settles, or the window changes
-constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
+constexpr double kShort = 0.005; // while the text settles, or the window changes
 constexpr int kMostFailures = 5;
-constexpr double kWidestFov = 170; // degrees, as in workspaces
 constexpr int kDeviceLost = 6007;
 constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with --set TEGUMENT_SURROUNDINGS=1";
 constexpr std::uint32_t kUnknownBands = 8; // of a pass that was not drawn yet
@@ -72,7 +71,9 @@ Result<void> Viewer::prepare() {
     if (!overlay) return overlay.error();
     overlay_ = std::move(*overlay);
     begin();
-    size_ = {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
+    area_.shape = static_cast<double>(request_.run.width) / std::max(1, request_.run.height);
+    arrangePanels();
+    size_ = area_.pixels();
     auto effect = readSource();
     if (!effect) return effect.error();
     if (!request_.beside.empty())
@@ -140,10 +141,11 @@ bool Viewer::isBusy() const {
 }
 
 Input Viewer::wait() {
-    const PixelSize pixels = windowPixels();
+    const PixelSize pixels = area_.window;
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    const double patience = settles || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kBetweenLooks;
-    if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
+    const double patience =
+        settles || !waitingKeys_.empty() || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kBetweenLooks;
+    if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow(), area_.shares());
     std::this_thread::sleep_for(
         std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kBetweenLooks));
     return {};
@@ -151,15 +153,16 @@ Input Viewer::wait() {
 
 Result<void> Viewer::step(const Input& input) {
     pieceBegan_ = std::chrono::steady_clock::now();
-    const PixelSize pixels = windowPixels();
-    const bool seen = pixels.width > 0 && pixels.height > 0;
+    arrangePanels();
+    const bool seen = area_.window.width > 0 && area_.window.height > 0;
     if (input.any || overlay_->hasKeys()) settling_ = kSettlingFrames;
     cursor_ = input.cursor;
-    state_.cursor = glm::clamp(onPicture(cursor_), 0.0, 1.0);
+    state_.cursor = glm::clamp(area_.onPicture(cursor_), 0.0, 1.0);
     if (input.closed) running_ = false;
-    if (input.border) state_.border = std::clamp(onPicture({*input.border, 0}).x, 0.0, 1.0);
+    if (input.border) state_.border = std::clamp(area_.onPicture({*input.border, 0}).x, 0.0, 1.0);
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
-    dropped_.insert(dropped_.end(), input.dropped.begin(), input.dropped.end());
+    for (const fs::path& file : input.dropped)
+        dropped_.push_back({.file = file, .sets = {}});
     openDropped();
     if (edited()) load("the edit");
     if (const auto resized = resize(); !resized) return resized;
@@ -200,8 +203,11 @@ Result<void> Viewer::obey(const Input& input) {
     if (apply(state_, input))
         if (const auto drawn = drawMoving(movesLight(input) ? Moving::Rest : Moving::Camera); !drawn) return drawn;
     if (state_.source && std::ranges::find(input.keys, kKeyWrite) != input.keys.end()) writeSource(source_);
+    std::vector<char32_t> keys = std::exchange(waitingKeys_, {});
+    auto& later = input.clicked ? waitingKeys_ : keys; // the click may have been on a field that takes what is typed
+    later.insert(later.end(), input.keys.begin(), input.keys.end());
     if (overlay_->wantsKeys()) return {};
-    for (const char32_t key : input.keys)
+    for (const char32_t key : keys)
         if (const auto command = commandOf(key))
             if (const auto done = obey(*command); !done) return done;
     return {};
@@ -245,76 +251,34 @@ Result<void> Viewer::fulfil(Request request) {
 }
 
 Result<void> Viewer::resize() {
-    const PixelSize pixels = picturePixels();
+    const Layout before = area_.layout;
+    arrangePanels(); // keys may have opened some
+    if (area_.layout != before) settling_ = kSettlingFrames;
+    const PixelSize pixels = area_.pixels();
     if (pixels.width == 0 || pixels.height == 0 || pixels == size_) return {};
     size_ = pixels;
     return drawMoving(Moving::Camera, false);
 }
 
-double Viewer::pictureShare() const {
-    return state_.source ? 1 - kTextShare : 1;
-}
-
-PixelSize Viewer::windowPixels() const {
-    if (window_) return window_->pixels();
-    return {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
-}
-
-std::array<double, 4> Viewer::pictureArea() const {
-    const PixelSize window = windowPixels();
-    const auto share = [](float pixels, std::uint32_t all) { return std::round(static_cast<double>(pixels)) / std::max(1U, all); };
-    const double left = share(dock_.left, window.width);
-    const double right = pictureShare() - share(dock_.right, window.width);
-    const double bottom = 1 - share(dock_.bottom, window.height);
-    const bool room = right > left && bottom > 0; // not in a window that has just been made small
-    return room ? std::array{left, 0.0, right, bottom} : std::array{0.0, 0.0, pictureShare(), 1.0};
-}
-
-PixelSize Viewer::picturePixels() const {
-    const PixelSize window = windowPixels();
-    const auto [left, top, right, bottom] = pictureArea();
-    const auto pixels = [](double share, std::uint32_t all) {
-        return all == 0 ? 0U : std::max(1U, static_cast<std::uint32_t>(std::lround(share * all)));
-    };
-    return {pixels(right - left, window.width), pixels(bottom - top, window.height)};
-}
-
-glm::dvec2 Viewer::onPicture(glm::dvec2 onWindow) const {
-    const auto [left, top, right, bottom] = pictureArea();
-    return {(onWindow.x - left) / (right - left), (onWindow.y - top) / (bottom - top)};
-}
-
-glm::dvec2 Viewer::cursorOnPicture() const {
-    return placeSeenAt(state_, onPicture(cursor_));
-}
-
-/// The field of view is across the picture, which is wider for its height where something stands below it.
-Workspace Viewer::seen(Workspace workspace) const {
-    const PixelSize window = windowPixels();
-    if (dock_ == Dock{} || size_.height == 0 || window.width == 0) return workspace;
-    const double whole = pictureShare() * window.width / window.height;
-    const double wider = std::max(1.0, static_cast<double>(size_.width) / size_.height / whole);
-    const double half = glm::radians(0.5 * static_cast<double>(workspace.camera.horizontalFov));
-    workspace.camera.horizontalFov = static_cast<float>(std::min(kWidestFov, glm::degrees(2 * std::atan(wider * std::tan(half)))));
-    return workspace;
-}
-
-/// While the same panels stand, what they take does not become less: numbers that change would make the picture anew.
-void Viewer::dock(const PanelOutcome& outcome) {
-    const bool same = docked_ == outcome.docked;
-    docked_ = outcome.docked;
-    const Dock before = dock_;
-    dock_ = outcome.dock;
-    if (same)
-        dock_ = {.left = std::max(dock_.left, before.left),
-                 .right = std::max(dock_.right, before.right),
-                 .bottom = std::max(dock_.bottom, before.bottom)};
-    if (dock_ != before) settling_ = kSettlingFrames;
+void Viewer::arrangePanels() {
+    area_.window = window_ ? window_->pixels()
+                           : PixelSize{static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
+    area_.points = window_ ? window_->points() : glm::vec2(area_.window.width, area_.window.height);
+    const float em = overlay_->em();
+    const bool sheets = state_.help || state_.probe || state_.times || state_.textures || state_.bindings || state_.mesh != MeshShow::None;
+    area_.layout = arrange(area_.points.x, area_.points.y,
+                           {.em = em,
+                            .frame = state_.information,
+                            .controls = state_.controls,
+                            .sheets = sheets,
+                            .strip = state_.strip,
+                            .source = state_.source,
+                            .problem = problemHeight(problem_, area_.points.x, em)});
 }
 
 Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
     const auto begin = std::chrono::steady_clock::now();
-    auto frame = loaded.session.draw(seen(state_.workspace), runOptions(), passCount(state_));
+    auto frame = loaded.session.draw(area_.seen(state_.workspace, size_), runOptions(), passCount(state_));
     milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     settling_ = kSettlingFrames;
     return frame;
@@ -406,7 +370,7 @@ Result<gpu::Texture*> Viewer::shownTexture() {
 
 Result<void> Viewer::show() {
     --settling_;
-    const PixelSize pixels = windowPixels();
+    const PixelSize pixels = area_.window;
     if (!composed_.state || PixelSize{composed_.desc().width, composed_.desc().height} != pixels) {
         auto composed = makeTarget(device_, "window", pixels);
         if (!composed) return composed.error();
@@ -414,16 +378,13 @@ Result<void> Viewer::show() {
     }
     PanelOutcome outcome;
     if (const auto drawn = canvas_->together([&] { return composeWithText(outcome); }); !drawn) return drawn;
-    dock(outcome);
+    writePlaces();
     if (!window_) return {};
     if (std::string title = titleText(); title != title_) window_->setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
     if (!shown) return shown.error();
     if (!*shown) settling_ = kSettlingFrames;
-    if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
-    if (outcome.bound) return bind(*outcome.bound);
-    if (outcome.baked) return bakeAgain(*outcome.baked);
-    return outcome.moved ? drawMoving(Moving::Rest) : Result<void>();
+    return follow(outcome);
 }
 
 Result<void> Viewer::composeWithText(PanelOutcome& outcome) {
@@ -431,8 +392,32 @@ Result<void> Viewer::composeWithText(PanelOutcome& outcome) {
     if (state_.source && source_.file.empty()) openSource(source_, request_.effect);
     const auto pictures = panelPictures();
     if (!pictures) return pictures.error();
-    const auto text = [&] { outcome = drawPanel(state_, start_, *loaded_, panelText(), *pictures, source_); };
-    return overlay_->draw(*canvas_, composed_, text);
+    const PanelScene scene{.start = start_,
+                           .loaded = *loaded_,
+                           .request = request_,
+                           .seen = area_.seen(state_.workspace, size_),
+                           .layout = area_.layout,
+                           .size = size_};
+    return overlay_->draw(*canvas_, composed_, [&] { outcome = drawPanel(state_, panels_, scene, panelText(), *pictures, source_); });
+}
+
+Result<void> Viewer::follow(const PanelOutcome& outcome) {
+    if (outcome.asked) dropped_.push_back(*outcome.asked);
+    if (outcome.wanted) makeWanted(*outcome.wanted);
+    if (!outcome.saved.empty()) {
+        if (outcome.saved.extension() == ".json") {
+            if (const auto path = saveWorkspace(outcome.saved)) notice("wrote " + path->string());
+        } else {
+            if (const auto drawn = isDraft() || stale_ ? draw() : Result<void>(); !drawn) return drawn;
+            save(outcome.saved);
+        }
+    }
+    if (outcome.command) return obey(*outcome.command);
+    if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
+    if (outcome.bound) return bind(*outcome.bound);
+    if (outcome.baked) return bakeAgain(*outcome.baked);
+    if (outcome.painted) return fulfil(Request::Levels);
+    return outcome.moved ? drawMoving(*outcome.moved) : Result<void>();
 }
 
 Result<void> Viewer::bind(const BindingChoice& choice) {

@@ -7,6 +7,7 @@
 #include "tools/view/mesh_canvas.h"
 #include "tools/view/overlay.h"
 #include "tools/view/panel.h"
+#include "tools/view/picture_area.h"
 #include "tools/view/reading.h"
 #include "tools/view/source_text.h"
 #include "tools/view/state.h"
@@ -80,6 +81,7 @@ private:
     void load(std::string what, bool anew = false);
     /// The next technique, setting...
     void makeAnother(Command command);
+    void makeWanted(const Wanted& wanted);
     void make(Making making);
     void dropMaking();
     [[nodiscard]] ToRead toRead(const ViewRequest& request, const Wanted& wanted);
@@ -190,26 +192,17 @@ private:
     /// Where the mouse can take it: share of the window.
     [[nodiscard]] std::optional<double> borderOfWindow() const;
 
-    /// Of the window's width, that is not the text's.
-    [[nodiscard]] double pictureShare() const;
-    /// Shares of the window that are the picture's: left, top, right, bottom.
-    [[nodiscard]] std::array<double, 4> pictureArea() const;
-    /// Share of that, from its left top, of a share of the window.
-    [[nodiscard]] glm::dvec2 onPicture(glm::dvec2 onWindow) const;
-    /// With a field of view that panels cut nothing off.
-    [[nodiscard]] Workspace seen(Workspace workspace) const;
-    /// Panels may have come or gone.
-    void dock(const PanelOutcome& outcome);
-    [[nodiscard]] PixelSize windowPixels() const;
-    [[nodiscard]] PixelSize picturePixels() const;
-    /// Share of the picture from its left top.
-    [[nodiscard]] glm::dvec2 cursorOnPicture() const;
+    /// What the window is divided into, as what is shown asks for.
+    void arrangePanels();
     /// Picture and text on the window.
     [[nodiscard]] Result<void> show();
     [[nodiscard]] Result<void> composeWithText(PanelOutcome& outcome);
-    void save();
+    /// What was done in the panels.
+    [[nodiscard]] Result<void> follow(const PanelOutcome& outcome);
+    /// To a name of its own where none is given.
+    void save(std::filesystem::path path = {});
     /// The file's path; none when it cannot be written, which is then said.
-    std::optional<std::filesystem::path> saveWorkspace();
+    std::optional<std::filesystem::path> saveWorkspace(std::filesystem::path path = {});
     void copyCommand();
     void notice(std::string text);
     [[nodiscard]] Result<void> bind(const BindingChoice& choice);
@@ -225,6 +218,7 @@ private:
     /// None: there is no such target.
     [[nodiscard]] std::optional<ProbedTexel> probe(EffectSession& from, const std::string& name, int level, glm::dvec2 place);
     [[nodiscard]] PanelText panelText();
+    [[nodiscard]] std::string statusText() const;
     [[nodiscard]] std::string titleText() const;
     /// The sources of the picture; with an error also what it points at, and their folders, where a missing file may appear.
     void watchFiles(const Effect* effect, const Error* error);
@@ -264,13 +258,14 @@ private:
     gpu::Texture picture_;  // as it is shown, without text
     gpu::Texture unfolded_; // faces of a cube
     std::uint64_t unfoldedFrom_ = 0;
-    gpu::Texture composed_;   // with text, of the window's size
-    Levels levels_;           // of what is shown
-    std::string levelled_;    // what they were found for
-    PixelSize size_;          // of what is drawn
-    Dock dock_;               // what panels take of the window
-    unsigned docked_ = 0;     // which they are
-    double milliseconds_ = 0; // from asking for the frame to having it
+    gpu::Texture composed_; // with text, of the window's size
+    Levels levels_;         // of what is shown
+    std::string levelled_;  // what they were found for
+    PixelSize size_;        // of what is drawn
+    PictureArea area_;      // of the window, that is the picture's
+    PanelMemory panels_;
+    std::vector<char32_t> waitingKeys_; // that came with a click
+    double milliseconds_ = 0;           // from asking for the frame to having it
     std::string problem_;
     std::string notice_;
     std::filesystem::path workspaceFile_; // the last one written
@@ -286,7 +281,7 @@ private:
     std::unique_ptr<Reading> draftReading_;
     Wanted wanted_;
     std::unique_ptr<Making> making_;
-    std::deque<std::filesystem::path> dropped_;                       // files that wait
+    std::deque<Opening> dropped_;                                     // that wait
     std::vector<std::unique_ptr<Reading>> abandoned_;                 // until their threads have ended
     std::string madeText_;                                            // as it is shown
     std::chrono::steady_clock::time_point told_;                      // when that was

@@ -96,7 +96,7 @@ Result<SessionFrame> Viewer::drawSide() {
     options.technique = beside_->technique;
     options.parameters = beside_->parameters;
     beside_->drafting = sharpness_.drafting && beside_->draft;
-    return beside_->session().draw(seen(state_.workspace), options);
+    return beside_->session().draw(area_.seen(state_.workspace, size_), options);
 }
 
 Result<void> Viewer::paintBeside() {
@@ -180,7 +180,7 @@ Result<void> Viewer::findErrors() {
 }
 
 Result<void> Viewer::compose() {
-    const std::array<double, 4> area = pictureArea();
+    const std::array<double, 4> area = area_.shares();
     const bool beside = beside_ && beside_->drawn;
     if (beside && state_.errors)
         if (const auto found = findErrors(); !found) return found;
@@ -207,7 +207,7 @@ Result<void> Viewer::compose() {
 
 std::optional<double> Viewer::borderOfWindow() const {
     const bool stands = beside_ && beside_->drawn && !state_.errors;
-    const auto [left, top, right, bottom] = pictureArea();
+    const auto [left, top, right, bottom] = area_.shares();
     return stands ? std::optional(left + (right - left) * state_.border) : std::nullopt;
 }
 

@@ -81,7 +81,7 @@ std::optional<RehearsalCosts> Viewer::rehearse(Loaded& side, const std::string& 
     RunOptions options = runOptions();
     options.technique = technique;
     options.parameters = parameters;
-    Workspace workspace = seen(state_.workspace);
+    Workspace workspace = area_.seen(state_.workspace, size_);
     const auto take = [&]() -> std::optional<double> {
         const auto frame = rehearsal.session.draw(workspace, options);
         if (!frame) return 0; // the whole picture has said why, or will

@@ -39,9 +39,9 @@ std::string quoted(const std::string& word) {
 
 } // namespace
 
-void Viewer::save() {
+void Viewer::save(fs::path path) {
     auto image = run::readBack(device_, picture_);
-    const fs::path path = freePath(request_.pictures, request_.effect, ".png");
+    if (path.empty()) path = freePath(request_.pictures, request_.effect, ".png");
     Result<void> written;
     if (image) {
         image->metadata = frame_.metadata;
@@ -54,19 +54,20 @@ void Viewer::save() {
     notice(done ? "wrote " + path.string() : format(image ? written.error() : image.error()));
 }
 
-std::optional<fs::path> Viewer::saveWorkspace() {
-    Workspace workspace = seen(state_.workspace);
+std::optional<fs::path> Viewer::saveWorkspace(fs::path path) {
+    Workspace workspace = area_.seen(state_.workspace, size_);
     settle(workspace, state_.parameters, request_.run.textures);
     workspace.technique = state_.technique;
     workspace.setting = state_.setting;
     workspace.size = {static_cast<int>(size_.width), static_cast<int>(size_.height)};
     workspace.samples = request_.run.samplesAreAsked ? request_.run.samples : 0;
     workspace.binds = state_.binds;
-    const bool known = !workspaceFile_.empty() && workspaceJson(workspace, workspaceFile_) == workspaceText_;
+    const bool chosen = !path.empty();
+    const bool known = !chosen && !workspaceFile_.empty() && workspaceJson(workspace, workspaceFile_) == workspaceText_;
     if (known) return workspaceFile_;
-    const fs::path path = freePath(request_.pictures, request_.effect, ".json");
+    if (!chosen) path = freePath(request_.pictures, request_.effect, ".json");
     std::string text = workspaceJson(workspace, path);
-    if (const auto written = rewriteFile(path, text); !written) {
+    if (const auto written = chosen ? writeFile(path, text) : rewriteFile(path, text); !written) {
         notice(format(written.error()));
         return std::nullopt;
     }

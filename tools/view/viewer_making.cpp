@@ -37,14 +37,18 @@ void Viewer::load(std::string what, bool anew) {
 }
 
 void Viewer::makeAnother(Command command) {
-    notice_.clear();
     ViewState next = state_;
     next.technique = wanted_.technique;
     next.setting = wanted_.setting;
-    if (apply(next, command, start_) == Request::None) return;
-    const bool reads = command == Command::NextSetting;
-    make({.what = reads ? "setting " + next.setting : "technique " + next.technique,
-          .wanted = {.technique = next.technique, .setting = next.setting, .binds = wanted_.binds},
+    if (apply(next, command, start_) != Request::None)
+        makeWanted({.technique = next.technique, .setting = next.setting, .binds = wanted_.binds});
+}
+
+void Viewer::makeWanted(const Wanted& wanted) {
+    notice_.clear();
+    const bool reads = wanted.setting != wanted_.setting;
+    make({.what = reads ? "setting " + wanted.setting : "technique " + wanted.technique,
+          .wanted = wanted,
           .reads = reads,
           .picture = !reads});
 }

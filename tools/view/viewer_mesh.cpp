@@ -85,7 +85,7 @@ Result<void> Viewer::paintMesh() {
         if (!made) return made.error();
         meshCanvas_ = std::move(*made);
     }
-    const PlacedScene placed = placeScene(seen(state_.workspace), run::boundsOf(request_.scene));
+    const PlacedScene placed = placeScene(area_.seen(state_.workspace, size_), run::boundsOf(request_.scene));
     return meshCanvas_->draw(picture_, cameraMatrices(placed.camera, static_cast<double>(size_.width) / size_.height));
 }
 

@@ -1,20 +1,25 @@
-// Files that were dropped on the window: each is read by another thread, and its picture is made while the old one is shown and moved.
+// Files that were dropped on the window or chosen: each is read by another thread, and its picture is made while the old one is shown and
+// moved.
 
 #include "tools/view/viewer.h"
 
 #include "host/run/semantics.h"
 
+#include <algorithm>
+
 namespace tegument::view {
 
 void Viewer::openDropped() {
     if (dropped_.empty() || making_) return;
-    const std::filesystem::path file = dropped_.front();
+    const Opening opening = dropped_.front();
     dropped_.pop_front();
     if (!request_.open) return;
     notice_.clear();
-    making_ = std::make_unique<Making>(Making{.what = file.filename().string(), .wanted = wanted_, .file = file});
+    const std::string what = opening.sets.empty() ? opening.file.string() : opening.sets.back();
+    making_ = std::make_unique<Making>(
+        Making{.what = opening.sets.empty() ? opening.file.filename().string() : what, .wanted = wanted_, .file = what});
     making_->opening =
-        std::async(std::launch::async, [open = request_.open, file, shown = loaded_->source] { return open(file, shown->effect); });
+        std::async(std::launch::async, [open = request_.open, opening, shown = loaded_->source] { return open(opening, shown->effect); });
     settling_ = kSettlingFrames;
 }
 
@@ -43,7 +48,7 @@ Result<void> Viewer::takeOpened() {
 void Viewer::lookAt(Making& making) const {
     const bool anew = making.request && !making.request->keepView;
     making.workspace = anew ? run::inWorld(making.request->workspace, making.request->scene) : state_.workspace;
-    making.workspace = seen(std::move(making.workspace));
+    making.workspace = area_.seen(std::move(making.workspace), size_);
     making.parameters = anew ? making.request->run.parameters : state_.parameters;
     std::erase_if(making.parameters, [&](const auto& value) { return !making.loaded->effect.findParameter(value.first); });
 }
@@ -51,6 +56,9 @@ void Viewer::lookAt(Making& making) const {
 void Viewer::showOpened(ViewRequest request) {
     request_ = std::move(request);
     if (!request_.keepView) begin();
+    state_.workspace.parameters = request_.workspace.parameters; // with its switches
+    state_.workspace.textures = request_.workspace.textures;
+    area_.shape = static_cast<double>(request_.run.width) / std::max(1, request_.run.height);
     dropFewer();
     dropMeshes();
     costs_ = draftCosts_ = {};

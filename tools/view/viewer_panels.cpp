@@ -106,7 +106,7 @@ std::vector<std::string> Viewer::probed() {
     const gpu::Texture* texture = found ? *found : nullptr;
     if (!texture) return {};
     const glm::ivec2 size(texture->desc().width, texture->desc().height);
-    const auto place = placeOnPicture(cursorOnPicture(), size, glm::ivec2(size_.width, size_.height));
+    const auto place = placeOnPicture(placeSeenAt(state_, area_.onPicture(cursor_)), size, glm::ivec2(size_.width, size_.height));
     if (!place) return {};
     std::vector<ProbedTexel> texels;
     std::vector<std::string> names = state_.targets;
@@ -121,38 +121,36 @@ std::vector<std::string> Viewer::probed() {
 }
 
 PanelText Viewer::panelText() {
-    PanelText text{.problem = problem_, .notice = notice_};
+    PanelText text{.status = {}, .lines = {}, .values = {}, .problem = problem_, .beside = {}};
     text.lines.push_back(
         fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
-    text.lines.push_back(shownText(state_, frame_));
     const auto kept = std::ranges::count_if(frame_.passes, &SessionPass::kept);
     text.lines.push_back(fmt::format("{} passes{} {:.2f} ms, frame {:.1f} ms", frame_.passes.size(),
                                      kept > 0 ? fmt::format(", {} kept,", kept) : std::string(), totalMilliseconds(frame_), milliseconds_));
     text.lines.push_back(device_.info().name);
-    if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
-    if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
-    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
-    if (state_.levels > 1 && state_.show != Show::Picture)
-        text.lines.push_back(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
-    if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
-    if (isDraft()) text.lines.push_back(draftText(sharpness_, drawnPixels().width, drawnPixels().height));
-    if (making_) text.lines.push_back("being made: " + makingText());
-    if (meshesMaking_.valid()) text.lines.emplace_back("being made: the mesh in false colours");
-    if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
-    if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
-    if (state_.probe) {
-        const std::vector<std::string> lines = probed();
-        text.lines.insert(text.lines.end(), lines.begin(), lines.end());
-    }
+    if (state_.probe) text.values = probed();
     text.beside = besideText();
-    text.pictureShare = static_cast<float>(pictureShare());
-    const auto [left, top, right, bottom] = pictureArea();
-    const PixelSize window = windowPixels();
-    text.picture = {.x = static_cast<float>(left * window.width),
-                    .y = static_cast<float>(top * window.height),
-                    .width = static_cast<float>((right - left) * window.width),
-                    .height = static_cast<float>((bottom - top) * window.height)};
-    if (!state_.help) text.lines.emplace_back("h: help");
+    text.status = statusText();
+    return text;
+}
+
+/// The newest first: a narrow window cuts the end.
+std::string Viewer::statusText() const {
+    std::string text;
+    const auto add = [&](const std::string& part) { text += part.empty() ? "" : (text.empty() ? "" : "   ") + part; };
+    add(notice_);
+    if (making_) add("being made: " + makingText());
+    if (meshesMaking_.valid()) add("being made: the mesh in false colours");
+    add(shownText(state_, frame_));
+    if (!state_.preset.empty()) add("preset " + state_.preset);
+    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
+    if (state_.channel != 0) add(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
+    if (state_.levels > 1 && state_.show != Show::Picture) add(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
+    if (state_.stops != 0) add(fmt::format("{:+.1f} stops", state_.stops));
+    if (state_.zoom != 1) add(fmt::format("{:.0f} times as large", state_.zoom));
+    if (isDraft()) add(draftText(sharpness_, drawnPixels().width, drawnPixels().height));
+    add(fmt::format("{} x {}", size_.width, size_.height));
+    if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) add(found->second);
     return text;
 }
 

@@ -19,6 +19,8 @@ struct WindowState {
     glm::dvec2 mouse{0};
     bool overlay = false;
     std::optional<double> border;
+    std::array<double, 4> picture{0, 0, 1, 1};
+    bool beside = false; // the mouse went down beside the picture
     bool holdsBorder = false;
 
     ~WindowState() {
@@ -79,13 +81,24 @@ int widthOf(GLFWwindow* window) {
     return std::max(1, width);
 }
 
+bool isBesidePicture(const WindowState& state, GLFWwindow* window) {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    const glm::dvec2 at = state.mouse / glm::dvec2(std::max(1, width), std::max(1, height));
+    const auto& [left, top, right, bottom] = state.picture;
+    return at.x < left || at.y < top || at.x >= right || at.y >= bottom;
+}
+
 /// Here and not where the next picture is drawn: on a slow machine the mouse is elsewhere by then.
 void takeBorder(GLFWwindow* window, int button, int action) {
     WindowState& state = stateOf(window);
     state.input.any = true;
+    if (action == GLFW_PRESS) state.beside = isBesidePicture(state, window);
+    if (action == GLFW_PRESS && (state.beside || state.overlay)) state.input.clicked = true;
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    state.holdsBorder =
-        action == GLFW_PRESS && !state.overlay && state.border && std::abs(state.mouse.x - *state.border * widthOf(window)) <= kGrip;
+    state.holdsBorder = action == GLFW_PRESS && !state.overlay && !state.beside && state.border &&
+                        std::abs(state.mouse.x - *state.border * widthOf(window)) <= kGrip;
 }
 
 void listenToMouse(GLFWwindow* window) {
@@ -98,13 +111,13 @@ void listenToMouse(GLFWwindow* window) {
         state.mouse = {x, y};
         state.input.any = true;
         if (state.holdsBorder) state.border = state.input.border = x / widthOf(w);
-        if (!state.overlay && !state.holdsBorder) drag(w, state.input, {moved.x, -moved.y});
+        if (!state.overlay && !state.beside && !state.holdsBorder) drag(w, state.input, {moved.x, -moved.y});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) { takeBorder(w, button, action); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
         WindowState& state = stateOf(w);
         state.input.any = true;
-        if (state.overlay) return;
+        if (state.overlay || isBesidePicture(state, w)) return;
         const bool light = held(w, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
         (light ? state.input.lightWheel : state.input.wheel) += notches;
     });
@@ -171,17 +184,15 @@ gpu::WindowSurface Window::surface() const {
     return surface;
 }
 
-Input Window::wait(double seconds, bool overlay, std::optional<double> border) {
+Input Window::wait(double seconds, bool overlay, std::optional<double> border, const std::array<double, 4>& picture) {
+    state_->picture = picture;
     state_->overlay = overlay;
     state_->border = border;
     if (seconds > 0 && !state_->input.any) // hears() may have taken what would wake it
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
-    int width = 0;
-    int height = 0;
-    glfwGetWindowSize(state_->window, &width, &height);
-    state_->input.cursor = state_->mouse / glm::dvec2(std::max(1, width), std::max(1, height));
+    state_->input.cursor = state_->mouse / glm::dvec2(points());
     state_->input.closed = glfwWindowShouldClose(state_->window) == GLFW_TRUE;
     return std::exchange(state_->input, Input{});
 }
@@ -197,6 +208,20 @@ PixelSize Window::pixels() const {
     int height = 0;
     glfwGetFramebufferSize(state_->window, &width, &height);
     return {static_cast<std::uint32_t>(std::max(0, width)), static_cast<std::uint32_t>(std::max(0, height))};
+}
+
+glm::vec2 Window::points() const {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(state_->window, &width, &height);
+    return {std::max(1, width), std::max(1, height)};
+}
+
+float Window::scale() const {
+    float across = 1;
+    float down = 1;
+    glfwGetWindowContentScale(state_->window, &across, &down);
+    return std::clamp(across, 0.5F, 8.0F);
 }
 
 void Window::setTitle(const std::string& title) {

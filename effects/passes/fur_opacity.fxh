@@ -73,21 +73,21 @@ float4 CoatSkinPS(CoatFrontVarying input) : SV_Target0
 }
 
 // At borders and hard edges of the mesh the front gapes, and what the light sees through the gap is behind the skin, or the front's far
-// side: there the coat begins one thickness before the skin, or nowhere.
+// side: there the coat begins one thickness before the skin; without skin the map holds minus the depth to be taken.
 float4 CoatFrontPS(CoatFrontVarying input) : SV_Target0
 {
     float skin = tex2Dlod(gCoatSkin, float4(input.place.xy / input.place.z * float2(0.5, -0.5) + 0.5, 0.0, 0.0)).x;
     float front = input.light.x;
-    float gap = skin > 0.0 ? skin - tgMillimetres(coatThickness()) : 0.0;
+    float gap = skin > 0.0 ? max(skin - tgMillimetres(coatThickness()), 1e-6) : -kCoatGap;
     bool gapes = skin > 0.0 ? front > skin : input.light.y < 0.0;
-    return float4(gapes ? max(gap, 0.0) : max(front, 1e-6), 0.0, 0.0, 1.0);
+    return float4(gapes ? gap : max(front, 1e-6), 0.0, 0.0, 1.0);
 }
 
 // Depth behind the coat's front, thicknesses.
 float coatDepth(float2 place, float distance)
 {
     float front = tex2Dlod(gCoatFront, float4(place, 0.0, 0.0)).x;
-    return front > 0.0 ? (distance - front) / max(tgMillimetres(coatThickness()), 1e-20) : kCoatGap;
+    return front > 0.0 ? (distance - front) / max(tgMillimetres(coatThickness()), 1e-20) : -front;
 }
 
 struct OpacityVarying

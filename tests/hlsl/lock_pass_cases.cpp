@@ -304,13 +304,26 @@ void pixels(Cases& cases) {
         return insideTexel(place.x) && insideTexel(place.y + 1.05 / 256) && insideTexel(place.y - 1.05 / 256);
     };
     cases += lockCase({"CoatFrontVS", "TgVertexInput i = (TgVertexInput)0; i.normal = a0; i.position = a1; return "
-                                      "float4(CoatFrontVS(i).distance, CoatSkinVS(i).distance, 0, 0);"},
+                                      "float4(CoatFrontVS(i).light, CoatSkinVS(i).light.x, 0);"},
                       {unit(), linear(-80, 80, 3)}, {8, 2, 1e-4, "lengths of 400"}, [](In x) { // moved out by the coat, whose tips hang
                           const dvec3 tip = x.vec3(1) + kThick * (x.vec3(0) + dvec3(0, -0.25, 0));
-                          return values(length(kFurLamp - tip), length(kFurLamp - x.vec3(1)));
+                          const dvec3 toLight = kFurLamp - tip;
+                          return values(length(toLight), dot(x.vec3(0), toLight) / length(toLight), length(kFurLamp - x.vec3(1)));
                       });
     cases.back().globals["gFurLean"] = {0.25};
     cases.back().domain = [](In x) { return isUnit(x.vec3(0)); };
+    // Behind the skin, and from inside where there is no skin, the front gapes.
+    const std::string front =
+        "CoatFrontVarying i = (CoatFrontVarying)0; i.light = float2(a0, a1); i.place = float3(0, 0, 1); return CoatFrontPS(i);";
+    for (const double skin : {400.0, 0.0}) {
+        cases += lockCase({"CoatFrontPS", front}, {linear(100, 800), linear(-1, 1)}, {8, 2, 1e-4, "a difference of lengths of 400"},
+                          [skin](In x) {
+                              const bool gapes = skin > 0 ? x.scalar(0) > skin : x.scalar(1) < 0;
+                              return values(!gapes ? x.scalar(0) : skin > 0 ? skin - kThick : -0.1, 0, 0, 1);
+                          });
+        cases.back().maps["gCoatSkinMap"] = oneTexel(static_cast<float>(skin));
+        cases.back().domain = [](In x) { return x.scalar(0) > 1 && std::abs(x.scalar(0) - 400) > 1e-3 && std::abs(x.scalar(1)) > 1e-4; };
+    }
 }
 
 /// Sums of opacity that tell the level that they were read from.

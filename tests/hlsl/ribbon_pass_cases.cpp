@@ -147,7 +147,7 @@ Cases shadows() {
                    const auto layer = [&](double end) { return coverage * saturate(16 * (end - depth) + 0.5); };
                    return values(layer(0.25), layer(0.6), layer(1.2), layer(2.4));
                });
-    cases += ribbon({"CoatFrontPS", "CoatFrontVarying c; c.position = 0; c.distance = a0; return CoatFrontPS(c);"}, {linear(-1, 300)},
+    cases += ribbon({"CoatSkinPS", "CoatFrontVarying c = (CoatFrontVarying)0; c.light = a0; return CoatSkinPS(c);"}, {linear(-1, 300)},
                     {1, 1, 0, "a maximum"}, [](In x) { return values(max(x[0], 1e-6), 0, 0, 1); });
     cases += ribbon("furFromLight(a0)", {linear(-80, 80, 3)}, {8, 2, 0, "a length"}, [](In x) { return fromLight(x.vec3(0)); });
     cases += ribbon(

@@ -40,7 +40,7 @@ class Panelled(base.View):
 
         def other():
             now = self.picture()
-            return now if len(now.pixels) == len(before.pixels) and now.share_apart(before, limit=1) > least else None
+            return now if len(now.pixels) == len(before.pixels) and now.share_apart(before, limit=0) > least else None
         return self.wait("another picture", other)
 
     def is_again(self, before):

@@ -123,7 +123,6 @@ public:
         desc.Flags = shape.flags;
         Texture made{
             shape, resource(desc, D3D12_HEAP_TYPE_DEFAULT, D3D12_RESOURCE_STATE_COPY_DEST), D3D12_RESOURCE_STATE_COPY_DEST, {}, {}};
-        made.shape.levels = made.resource->GetDesc().MipLevels; // 0 asked for all
         if (shape.depth()) {
             D3D12_DEPTH_STENCIL_VIEW_DESC view{};
             view.Format = shape.format;

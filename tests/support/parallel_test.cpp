@@ -143,6 +143,7 @@ TEST_F(Parallel, items_before_the_one_that_failed_are_all_done_and_most_behind_a
     const auto result = tryEachInParallel(calls.size(), [&](std::size_t item) -> Result<void> {
         ++calls[item];
         if (item == 100) return usageError(8001, "item 100");
+        if (item > 100) wait(); // else the other threads may end the loop before the one with item 100 goes on to fail
         return {};
     });
     EXPECT_FALSE(result);

@@ -10,11 +10,6 @@ float gPostProfile < UI_SLIDER("Profile", 0.0, 15.0, 1.0) string UIHelp = "row o
 float gPostStrength < UI_SLIDER("Strength of diffusion", 0.0, 1.0, 0.01) > = 1.0;
 
 #define POST_TONE { 0.0, 0.0, 1.0, 0.0 }
-#if TEGUMENT_POST_HALF
-static const float kPostScale = 2.0;
-#else
-static const float kPostScale = 1.0;
-#endif
 
 Texture2D gPostLightMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 Texture2D gPostDepthMap : RENDERCOLORTARGET < PICTURE_TARGET("R32F") >;

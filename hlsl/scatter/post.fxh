@@ -18,7 +18,7 @@ static const float kTgPostGaussians = 8.0;
 static const float kTgPostSamples = 64.0;
 // Largest area of the surface in a pixel over that of one that faces the eye: seen at less than 5 degrees.
 static const float kTgPostGrazing = 12.0;
-// Coarsest level that samples read, and how much finer than their distance it is.
+// Coarsest level that samples read, of maps of the picture's resolution, and how much finer than their distance it is.
 static const float kTgPostCoarsest = 6.0;
 static const float kTgPostFiner = 1.0;
 // Exponent of a Gaussian's weight in the share of samples that it gets: 1 leaves wide and faint ones too few.
@@ -265,7 +265,7 @@ float3 tgPostTarget(TgPostDisc disc, float4 tap, float2 way)
 {
     float2 at = tap.w * way;
     float2 uv = disc.uv + float2(at.x * disc.steps.x + at.y * disc.steps.y, at.y * disc.steps.z);
-    return float3(uv, floor(clamp(0.5 * log2(max(tap.x, 1e-9)) + disc.level, 0.0, kTgPostCoarsest) + 0.5));
+    return float3(uv, floor(clamp(0.5 * log2(max(tap.x, 1e-9)) + disc.level, 0.0, kTgPostCoarsest - TEGUMENT_POST_HALF) + 0.5));
 }
 
 // The sum over the samples, and over their weights.
@@ -307,8 +307,8 @@ float4 tgPostTapOf(TG_SAMPLER2D_PARAM(kernels), float row, float i)
 }
 
 // light: light times grazing, and grazing; depth: z times grazing, and grazing; both with levels, LINEAR. turn: of the pattern, 0 to 1.
-float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAMPLER2D_PARAM(kernels), float4 gaussians[6], float row,
-    float count, TgPostView view, TgPostDisc disc, float3 own, float turn)
+TgPostSum tgPostSums(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAMPLER2D_PARAM(kernels), float4 gaussians[6], float row,
+    float count, TgPostView view, TgPostDisc disc, float turn)
 {
     TgPostSum sum = (TgPostSum)0;
     float2 way = tgPostFirst(turn);
@@ -326,7 +326,22 @@ float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAM
         }
         way = tgPostNext(way);
     }
+    return sum;
+}
+
+float3 tgPostGather(TG_SAMPLER2D_PARAM(light), TG_SAMPLER2D_PARAM(depth), TG_SAMPLER2D_PARAM(kernels), float4 gaussians[6], float row,
+    float count, TgPostView view, TgPostDisc disc, float3 own, float turn)
+{
+    TgPostSum sum = tgPostSums(TG_SAMPLER2D_ARG(light), TG_SAMPLER2D_ARG(depth), TG_SAMPLER2D_ARG(kernels), gaussians, row, count, view,
+                               disc, turn);
     return tgPostMean(sum, gaussians, own);
+}
+
+// What comes from beyond the pixel, and the squared radius within which light is the pixel's own, mm^2, plus 1.
+float4 tgPostBeyond(TgPostSum sum, float4 gaussians[6])
+{
+    float square = sum.inner * sum.inner;
+    return float4(sum.light / max(sum.weight, 1e-6) * (1.0 - tgPostShare(gaussians, square)), 1.0 + square);
 }
 
 #endif

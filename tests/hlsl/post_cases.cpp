@@ -257,6 +257,14 @@ void sums(Cases& cases) {
                       return (x.vec3(0) + mine * dvec3(1, 2, 3)) / (0.5 + mine);
                   });
     cases.back().domain = [](In x) { return abs(x[1]) < 9; };
+    cases += post({"tgPostBeyond", kGaussians +
+                                       "TgPostSum sum = (TgPostSum)0; sum.light = a0; sum.weight = float3(0.5, 0.5, 0.5); sum.inner = a1; "
+                                       "return tgPostBeyond(sum, g);"},
+                  {linear(0, 1, 3), linear(0, 4)}, [](In x) {
+                      const dvec3 mine = share(x[1] * x[1]) * kChannels;
+                      return dvec4(x.vec3(0) / 0.5 * (1.0 - mine), 1 + x[1] * x[1]);
+                  });
+    cases.back().domain = [](In x) { return abs(x[1]) < 9; };
     // Light that is the same everywhere stays so, whatever the samples weigh. The texel is light, depth (z = 5) and kernel at once.
     static const TestMap kEven = oneTexel(5, 1, 1, 1);
     cases +=
@@ -266,6 +274,15 @@ void sums(Cases& cases) {
                   "return float4(tgPostGather(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), g, 3.0, a0, view, "
                   "disc, float3(5, 1, 1), a1), 0);"},
              {whole(1, 24), linear(0, 1)}, {64, 4, 1e-4, "sums of up to 24 weights, over their sum"}, [](In) { return values(5, 1, 1); });
+    cases.back().map = &kEven;
+    cases.back().domain = [](In x) { return x[0] >= 1 && x[0] <= 24; };
+    cases += post(
+        {"tgPostSums",
+         kView + kGaussians +
+             "TgPostDisc disc = tgPostDisc(view, float2(0.5, 0.5), texel, 5.0, float2(0, 0)); "
+             "TgPostSum sum = tgPostSums(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), g, 3.0, a0, view, "
+             "disc, a1); return float4(sum.light / max(sum.weight, 1e-9), sum.outside ? 1.0 : 0.0);"},
+        {whole(1, 24), linear(0, 1)}, {64, 4, 1e-4, "sums of up to 24 weights, over their sum"}, [](In) { return values(5, 1, 1, 1); });
     cases.back().map = &kEven;
     cases.back().domain = [](In x) { return x[0] >= 1 && x[0] <= 24; };
 }

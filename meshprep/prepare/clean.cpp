@@ -1,5 +1,6 @@
 #include "meshprep/prepare/clean.h"
 
+#include "host/mesh/motion.h"
 #include "host/mesh/triangles.h"
 #include "host/mesh/welding.h"
 #include "host/support/parallel.h"
@@ -25,13 +26,22 @@ Triple turned(const Triple& t) {
     return t[1] <= t[2] ? Triple{t[1], t[2], t[0]} : Triple{t[2], t[0], t[1]};
 }
 
-/// Numbers for what tells corners apart: place, and texture coordinates where there are any.
+/// Of a mesh that moves: equal where vertices move alike.
+std::uint32_t movementOf(const Mesh& mesh, std::uint32_t vertex) {
+    return mesh.motion->kinds[mesh.motionVertices[vertex]];
+}
+
+/// Numbers for what tells corners apart: place, texture coordinates where there are any, and movement.
 std::vector<std::uint32_t> cornerKinds(const Surface& surface) {
-    if (surface.mesh.uvs.empty()) return surface.point;
-    return firstEqual(surface.point.size(), [&](std::uint32_t i) {
-        const auto uv = floatKey<2>({surface.mesh.uvs[i].x, surface.mesh.uvs[i].y});
-        return std::array{surface.point[i], uv[0], uv[1]};
-    });
+    std::vector<std::uint32_t> kinds = surface.point;
+    if (!surface.mesh.uvs.empty())
+        kinds = firstEqual(kinds.size(), [&](std::uint32_t i) {
+            const auto uv = floatKey<2>({surface.mesh.uvs[i].x, surface.mesh.uvs[i].y});
+            return std::array{kinds[i], uv[0], uv[1]};
+        });
+    if (surface.mesh.motion)
+        kinds = firstEqual(kinds.size(), [&](std::uint32_t i) { return std::array{kinds[i], movementOf(surface.mesh, i)}; });
+    return kinds;
 }
 
 /// A triangle as its smallest point sees it.
@@ -69,6 +79,28 @@ void forSidesAtPoints(std::size_t triangles, std::size_t points, TurnedAt turned
 }
 
 } // namespace
+
+void partOpening(Surface& surface) {
+    const Mesh& mesh = surface.mesh;
+    if (!mesh.motion) return;
+    std::vector<std::uint8_t> opens(surface.pointCount, 0);
+    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+        const std::uint32_t a = mesh.indices[corner], b = mesh.indices[corner % 3 == 2 ? corner - 2 : corner + 1];
+        if (mesh.positions[a] == mesh.positions[b] && movementOf(mesh, a) != movementOf(mesh, b)) opens[surface.point[a]] = 1;
+    }
+    if (std::ranges::find(opens, 1) == opens.end()) return;
+    const std::vector<std::uint32_t> first = firstEqual(surface.point.size(), [&](std::uint32_t i) {
+        return std::array{surface.point[i], opens[surface.point[i]] != 0 ? movementOf(mesh, i) : 0U};
+    });
+    std::vector<std::uint8_t> taken(surface.pointCount, 0); // by the first movement there
+    std::vector<std::uint32_t> point(surface.point.size());
+    for (std::uint32_t i = 0; i < first.size(); ++i)
+        if (first[i] != i)
+            point[i] = point[first[i]];
+        else
+            point[i] = taken[surface.point[i]]++ == 0 ? surface.point[i] : surface.pointCount++;
+    surface.point = std::move(point);
+}
 
 std::size_t dropCollapsed(Surface& surface) {
     return keepTriangles(surface.mesh, [&](std::span<const std::uint32_t, 3>, std::size_t triangle) {

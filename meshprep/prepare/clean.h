@@ -5,6 +5,10 @@
 
 namespace tegument::prep {
 
+/// Of a mesh that moves: a triangle whose corners lie at one place at rest and move apart, such as one between closed lips, gets places of
+/// its own there, so that it is not collapsed.
+void partOpening(Surface& surface);
+
 /// Triangles with two corners at one place have no area.
 std::size_t dropCollapsed(Surface& surface);
 

@@ -136,6 +136,7 @@ private:
                             ? fmt::format(", {} of them across cracks of at most {:.2g} mm, the last digit of the file's numbers",
                                           places.cracks, places.crackWidth)
                             : ""));
+        partOpening(surface_);
         count("collapsed", "triangles with two corners at one place left out", [&] { return dropCollapsed(surface_); });
         if (!options_.keepDuplicates)
             count("duplicates", "triangles that repeat another left out", [&] { return dropDuplicates(surface_); });

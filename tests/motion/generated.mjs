@@ -255,6 +255,16 @@ export const kFiles = {
     b.node({mesh, skin: 0});
     b.animate('bend', bend(joints));
   },
+  /// Between two halves, closed at rest: triangles that have no area there, and a row of vertices of their own.
+  opening_gap(b) {
+    const row = y => [0, 1, 2].flatMap(i => [i, y, 0]);
+    const list = {POSITION: b.floats([...row(1), ...row(0), ...row(0), ...row(0), ...row(-1)], 3)};
+    const strip = above => [0, 1].flatMap(i => [above + i, above + 3 + i, above + i + 1, above + i + 1, above + 3 + i, above + i + 4]);
+    const indices = b.accessor(Uint16Array.from([0, 3, 6, 9].flatMap(strip)), 1);
+    const opens = b.floats([[0, 0.5, 0], [0, 0.5, 0], [0, 0, 0.3], [0, -0.5, 0], [0, -0.5, 0]].flatMap(by => [...by, ...by, ...by]), 3);
+    const mesh = b.json.meshes.push({primitives: [{attributes: list, indices, targets: [{POSITION: opens}]}]}) - 1;
+    b.animate('open', [{node: b.node({mesh}), path: 'weights', times: [0, 1], values: [0, 1]}]);
+  },
   camera_and_nodes(b) {
     b.json.cameras = [{type: 'perspective', perspective: {yfov: 0.8, znear: 0.1}}];
     const camera = b.node({name: 'camera', camera: 0, translation: [0, 0, 5]}, false);

@@ -63,14 +63,17 @@ function numbersOf({json, buffers}, index) {
   const accessor = json.accessors[index];
   const width = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16}[accessor.type];
   const [size, get, most] = {5120: [1, 'readInt8', 127], 5121: [1, 'readUInt8', 255], 5122: [2, 'readInt16LE', 32767], 5123: [2, 'readUInt16LE', 65535], 5125: [4, 'readUInt32LE', 1], 5126: [4, 'readFloatLE', 1]}[accessor.componentType];
-  const view = json.bufferViews[accessor.bufferView];
-  if (!view) return new Float32Array(width * accessor.count);
-  const stride = view.byteStride ?? width * size;
   const result = new Float32Array(width * accessor.count);
-  for (let i = 0; i < result.length; ++i) {
-    const at = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0) + Math.floor(i / width) * stride + i % width * size;
-    const value = buffers[view.buffer][get](at);
-    result[i] = accessor.normalized ? Math.max(Math.fround(value / most), -1) : value;
+  const stored = ({bufferView, byteOffset = 0}, i, stride) => {
+    const view = json.bufferViews[bufferView];
+    const value = buffers[view.buffer][get]((view.byteOffset ?? 0) + byteOffset + Math.floor(i / width) * (stride ?? view.byteStride ?? width * size) + i % width * size);
+    return accessor.normalized ? Math.max(Math.fround(value / most), -1) : value;
+  };
+  if (accessor.bufferView !== undefined) result.forEach((_, i) => { result[i] = stored(accessor, i); });
+  if (accessor.sparse) {
+    const {count, indices, values} = accessor.sparse;
+    const where = numbersOf({json: {...json, accessors: [{...indices, count, type: 'SCALAR'}]}, buffers}, 0);
+    for (let i = 0; i < count * width; ++i) result[where[Math.floor(i / width)] * width + i % width] = stored(values, i, width * size);
   }
   return result;
 }
@@ -122,7 +125,7 @@ async function judge(file, drawn) {
     if (!(value <= kMost * reach)) faults.push(`${what}: ${(value / reach).toExponential(2)} of its reach apart`);
   };
   const made = path.join(work, 'made.glb'), report = path.join(work, 'report.json');
-  run(tegument, 'prep', file, '-o', made, '--report', report);
+  run(tegument, 'prep', file, '--unit-mm', '1000', '-o', made, '--report', report);
   const {centre, warnings} = JSON.parse(fs.readFileSync(report));
   const moved = centre.moved.map(v => v / 1000);
   const back = rows => rows.map(row => row.map((v, i) => v - moved[i % 3]));

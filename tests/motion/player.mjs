@@ -83,10 +83,11 @@ function vertexOf(THREE, mesh, i) {
   return sum > 0 ? place.divideScalar(sum) : at(attributes.skinIndex.getX(i));
 }
 
-/// For each vertex that a triangle uses its places at all the times, one after another.
+/// For each vertex that a triangle uses its places at all the times, one after another. Triangles with two corners at one place all the time
+/// use none: nothing of them is seen.
 export function places(loaded, animation, times) {
   const {THREE, gltf} = loaded;
-  const rows = [];
+  const rows = [], corners = [];
   times.forEach((seconds, t) => {
     pose(loaded, animation, seconds);
     let row = 0;
@@ -94,17 +95,20 @@ export function places(loaded, animation, times) {
       if (!mesh.isMesh || mesh.isPoints || mesh.isLine) return;
       const index = mesh.geometry.index;
       const count = mesh.geometry.attributes.position.count;
-      const used = new Uint8Array(count);
-      if (index) for (let k = 0; k < index.count; ++k) used[index.getX(k)] = 1;
-      for (let i = 0; i < count; ++i) {
-        if (index && !used[i]) continue;
+      if (t === 0) for (let k = 0; k < (index ? index.count : count); ++k) corners.push(row + (index ? index.getX(k) : k));
+      for (let i = 0; i < count; ++i, ++row) {
         const p = vertexOf(THREE, mesh, i);
         (rows[row] ??= new Float64Array(3 * times.length)).set([p.x, p.y, p.z], 3 * t);
-        ++row;
       }
     });
   });
-  return rows;
+  const used = new Uint8Array(rows.length);
+  const one = (a, b) => rows[a].every((v, i) => v === rows[b][i]);
+  for (let k = 0; k + 2 < corners.length; k += 3) {
+    const [a, b, c] = corners.slice(k, k + 3);
+    if (!one(a, b) && !one(b, c) && !one(c, a)) used[a] = used[b] = used[c] = 1;
+  }
+  return rows.filter((_, i) => used[i]);
 }
 
 /// The largest distance from a row to the nearest row of the other list, in all times together, both ways.

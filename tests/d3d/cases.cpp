@@ -87,6 +87,8 @@ std::vector<Case> discover() {
          {std::pair{"effects/Pyramid.fx", "PyramidLinked"}, {"effects/peers/Preintegrated.fx", "PreintegratedPenumbra"}})
         cases.push_back({.effect = effect, .technique = technique, .lamps = 3, .surroundings = true});
     cases.push_back({.effect = "effects/Pyramid.fx", .technique = "Pyramid", .lamps = 3, .soft = true});
+    for (const auto& [technique, computes] : {std::pair{"SkinPost", false}, {"SkinPostCompute", true}})
+        cases.push_back({.effect = "effects/SkinPost.fx", .technique = technique, .computes = computes, .half = true});
     cases.push_back(libraryCase());
     return cases;
 }
@@ -133,6 +135,7 @@ std::vector<std::pair<std::string, std::string>> Case::defines() const {
     if (lamps > 0) all.emplace_back("TEGUMENT_LAMPS", std::to_string(lamps));
     if (surroundings) all.emplace_back("TEGUMENT_SURROUNDINGS", "1");
     if (soft) all.emplace_back("TEGUMENT_SOFT_SHADOWS", "1");
+    if (half) all.emplace_back("TEGUMENT_POST_HALF", "1");
     return all;
 }
 

@@ -28,11 +28,13 @@ struct Case {
     int lamps = 0;                                     // TEGUMENT_LAMPS
     bool soft = false;                                 // TEGUMENT_SOFT_SHADOWS
     bool surroundings = false;                         // TEGUMENT_SURROUNDINGS
+    bool half = false;                                 // TEGUMENT_POST_HALF
 
     /// Of what is compiled once for all techniques.
     [[nodiscard]] std::string effectName() const {
         const std::string lit = lamps == 0 ? "" : "Lamps" + std::to_string(lamps);
-        return effect.stem().string() + (mapBits == 16 ? "" : "32") + lit + (soft ? "Soft" : "") + (surroundings ? "Around" : "");
+        return effect.stem().string() + (mapBits == 16 ? "" : "32") + lit + (soft ? "Soft" : "") + (surroundings ? "Around" : "") +
+               (half ? "Half" : "");
     }
     [[nodiscard]] std::string name() const { return effectName() + "_" + technique; }
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> defines() const;
@@ -46,7 +48,7 @@ std::string engineName(Engine engine); // "d3d9"
 [[nodiscard]] Result<Effect> loadCase(const Case& drawn);
 /// From the files: effects/*.fx and the techniques that they hold, and one technique of each of effects/peers. Those of Convolution.fx also
 /// with maps of 32 bits: what differs between engines in the cascade of 16-bit maps must vanish there. Main.fx also with one lamp,
-/// Pyramid.fx with three that have penumbras. The client of the library comes last.
+/// Pyramid.fx with three that have penumbras, SkinPost.fx at half resolution. The client of the library comes last.
 [[nodiscard]] const std::vector<Case>& allCases();
 
 /// They are drawn in parts, one process after the other: from 1. What is compiled together, and what is compared, is in one part.

@@ -84,7 +84,7 @@ function vertexOf(THREE, mesh, i) {
 }
 
 /// For each vertex that a triangle uses its places at all the times, one after another. Triangles with two corners at one place all the time
-/// use none: nothing of them is seen.
+/// use none, for nothing of them is seen: `all` has their vertices, too.
 export function places(loaded, animation, times) {
   const {THREE, gltf} = loaded;
   const rows = [], corners = [];
@@ -108,10 +108,10 @@ export function places(loaded, animation, times) {
     const [a, b, c] = corners.slice(k, k + 3);
     if (!one(a, b) && !one(b, c) && !one(c, a)) used[a] = used[b] = used[c] = 1;
   }
-  return rows.filter((_, i) => used[i]);
+  return Object.assign(rows.filter((_, i) => used[i]), {all: rows});
 }
 
-/// The largest distance from a row to the nearest row of the other list, in all times together, both ways.
+/// The largest distance from a row to the nearest row of the other list, in all times together, both ways; the first may have more (`all`).
 export function apart(a, b, reach) {
   const cell = Math.max(reach * 1e-3, 1e-12);
   const oneWay = (from, to) => {
@@ -139,7 +139,7 @@ export function apart(a, b, reach) {
     }
     return worst;
   };
-  return Math.max(oneWay(a, b), oneWay(b, a));
+  return Math.max(oneWay(a, b), oneWay(b, a.all ?? a));
 }
 
 export function read(file, vertices, times) {

@@ -122,7 +122,11 @@ void Direct3D9::makeTargets(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc
     const std::string semantic = upper(desc.Semantic ? desc.Semantic : "");
     const bool depth = semantic == "RENDERDEPTHSTENCILTARGET";
     if (!depth && semantic != "RENDERCOLORTARGET") return;
-    Target target = makeTarget({depth, number(parameter, "Width", job_.width), number(parameter, "Height", job_.height),
+    float ratio[2] = {1, 1};
+    if (const D3DXHANDLE handle = effect_->GetAnnotationByName(parameter, "ViewportRatio"))
+        must(effect_->GetFloatArray(handle, ratio, 2), "GetFloatArray ViewportRatio");
+    Target target = makeTarget({depth, number(parameter, "Width", static_cast<unsigned>(ratio[0] * static_cast<float>(job_.width))),
+                                number(parameter, "Height", static_cast<unsigned>(ratio[1] * static_cast<float>(job_.height))),
                                 text(parameter, "Format"), number(parameter, "MipLevels", 1)});
     if (!depth) setTexture(desc.Name, target.texture.get());
     (depth ? depths_ : colors_)[desc.Name] = std::move(target);

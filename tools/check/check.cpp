@@ -1,9 +1,9 @@
 #include "tools/check/check.h"
 
-#include "host/adopt/adopt.h"
 #include "host/effect/load.h"
 #include "host/spirv/messages.h"
 #include "host/support/file.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/check/work.h"
 
 #include <fmt/format.h>
@@ -135,7 +135,7 @@ bool mentions(const std::filesystem::path& file, std::string_view word) {
     return text && text->find(word) != std::string::npos;
 }
 
-/// The file's own entry points, each with the source that host/adopt has for it where DXC needs one.
+/// The file's own entry points, each with the source that meshprep/adopt has for it where DXC needs one.
 void collectEntries(Work& work) {
     work.respelt = needsRespelling(work.effect());
     if (!work.effect().ownDialect) work.drawn = adopted(work.effect()).effect;

@@ -1,9 +1,9 @@
 #include "tools/view/viewer.h"
 
-#include "host/adopt/adopt.h"
 #include "host/run/pixels.h"
 #include "host/run/semantics.h"
 #include "host/support/file.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/view/levels.h"
 #include "tools/view/places.h"
 #include "tools/view/workspace_write.h"

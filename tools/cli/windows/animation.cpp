@@ -1,9 +1,9 @@
-#include "host/support/windows/left_out.h"
 #include "tools/cli/animation.h"
+#include "host/support/windows/left_out.h"
 
 namespace tegument::app {
 
-Result<std::unique_ptr<Animation>> makeWebp(const AnimationFormat&) {
+Result<std::unique_ptr<Animation>> makeAnimation(const AnimationFormat&) {
     return leftOut("animations as WebP (-o NAME.png makes numbered pictures)");
 }
 

@@ -46,6 +46,13 @@ std::vector<Target> allTargets(bool written) {
     return all;
 }
 
+std::string targetNames(bool written) {
+    std::string names;
+    for (const Target target : allTargets(written))
+        names += (names.empty() ? "" : ", ") + std::string(targetName(target));
+    return names;
+}
+
 std::vector<Target> targetsByName(std::string_view name, bool written) {
     std::vector<Target> all = allTargets(written);
     if (name == "spirv") return {Target::SpirvDxc, Target::SpirvGlslang};

@@ -48,6 +48,8 @@ inline constexpr std::array<TargetRow, 10> kTargets = {{{Target::Fx2, "fx_2_0"},
 
 /// Those that are checked; `written`: all that can be written, too.
 [[nodiscard]] std::vector<Target> allTargets(bool written = false);
+/// Their names, as a text lists them: "fx_2_0, fx_4_0" ...
+[[nodiscard]] std::string targetNames(bool written = false);
 /// One of them, "all", or "spirv", both compilers'; empty for an unknown name.
 [[nodiscard]] std::vector<Target> targetsByName(std::string_view name, bool written = false);
 

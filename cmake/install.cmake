@@ -2,12 +2,12 @@
 
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
-# Targets: Tegument::host draws, Tegument::assets makes what effects take from meshes, Tegument::check and Tegument::emit compile for engines; the others are
-# their parts.
+# Targets: Tegument::host draws, Tegument::assets makes what effects take from meshes, reads effects of other hosts (its part Tegument::adopt) and writes
+# meshes (Tegument::mesh_writers), Tegument::check and Tegument::emit compile for engines; the others are their parts.
 add_library(tegument_host INTERFACE)
-target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt)
+target_link_libraries(tegument_host INTERFACE tegument_run)
 set(exported tegument_meshopt tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_process tegument_direct3d tegument_check
-    tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
+    tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_mesh_writers tegument_order tegument_fur tegument_roots
     tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings tegument_portrait)
 foreach(library IN LISTS exported)
   string(REGEX REPLACE "^tegument_" "" name ${library})
@@ -21,14 +21,15 @@ install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegume
 # What a program may include: these, and no other header. A repository check keeps them from including what is not installed.
 set(public_headers
     host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/shader_stage.h
-    host/support/state.h host/support/text.h host/effect/entry_points.h host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
+    host/support/state.h host/support/text.h host/effect/entry_points.h host/effect/model.h host/effect/script.h host/effect/script_run.h
     host/spirv/compile.h host/spirv/dxil.h tools/direct3d/microsoft.h tools/check/check.h tools/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
     host/mesh/mesh.h host/mesh/motion.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
     host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h
     host/run/session.h host/run/session_frame.h
-    meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
-    meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h meshprep/portrait/head_pose.h meshprep/portrait/portrait.h)
+    meshprep/adopt/adopt.h meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
+    meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h meshprep/portrait/head_pose.h meshprep/portrait/portrait.h
+    meshprep/write/write_mesh.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION include/tegument/${room})

@@ -100,7 +100,8 @@ function(tegument_meshoptimizer name folder)
   list(REMOVE_DUPLICATES functions)
   list(TRANSFORM functions REPLACE "(.+)" "#define \\1 ${name}_\\1\n")
   list(JOIN functions "" renames)
-  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${name}_renames.h "#define meshopt ${name}_meshopt\n${renames}")
+  # written where it differs only: all that includes it is compiled again
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}_renames.h CONTENT "#define meshopt ${name}_meshopt\n${renames}" @ONLY)
   add_library(${name} STATIC ${sources})
   target_compile_options(${name} PRIVATE -w -ffp-contract=off PUBLIC "$<BUILD_INTERFACE:SHELL:-include \"${CMAKE_CURRENT_BINARY_DIR}/${name}_renames.h\">")
   target_compile_definitions(${name} PRIVATE NDEBUG) # as distributions build it: what a file may hold is checked by us

@@ -160,7 +160,7 @@ struct Technique {
 /// Its script asks for what lies below the effect: ScriptExternal.
 [[nodiscard]] bool drawsScene(const Technique& technique);
 
-/// The technique that host/adopt adds for that: the mesh, plainly lit.
+/// The technique that meshprep/adopt adds for that: the mesh, plainly lit.
 inline constexpr const char* kSceneTechnique = "<scene>";
 
 /// The STANDARDSGLOBAL block.

@@ -116,12 +116,6 @@ void markExpandedParts(Mesh& mesh);
 /// The warning that goes with it: TG5327.
 [[nodiscard]] Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, double unitMm, double likely);
 
-/// Writes positions, normals, tangents, UVs, indices, parts, embedded textures (PNG) as one glb in metres.
-[[nodiscard]] Result<void> writeGlb(const std::filesystem::path& path, const Mesh& mesh);
-/// Writes positions, normals, UVs, colours, attributes and triangles as binary PLY, in millimetres. Positions are doubles where the origin
-/// is not 0. `moved`, which preparation added to every position, becomes a comment.
-[[nodiscard]] Result<void> writePly(const std::filesystem::path& path, const Mesh& mesh, const glm::dvec3& moved = glm::dvec3(0));
-
 /// Fills `normals` (angle weighted over equal positions) when empty.
 void computeNormals(Mesh& mesh);
 /// Fills `tangents` by the MikkTSpace convention, also across mirrored charts; may split vertices.

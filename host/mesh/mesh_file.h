@@ -2,7 +2,6 @@
 // Inside host/mesh only: the readers behind loadMesh, and the errors they share. A reader checks everything that comes from the file; what
 // it returns has equally long attribute arrays (or empty ones), indices in range, and lengths already multiplied by the unit.
 
-#include "host/mesh/glb.h"
 #include "host/mesh/obj_file.h"
 #include "host/mesh/read_mesh.h"
 
@@ -93,13 +92,9 @@ void carryObjMaterials(const Source& source, const ObjFile& file, const std::vec
 /// glb by its magic, else glTF as JSON.
 [[nodiscard]] Result<ReadMesh> readGltf(const Source& source);
 
-[[nodiscard]] inline Result<void> writePlyOf(const std::filesystem::path& path, const Mesh& mesh, const GlbOptions& options) {
-    return writePly(path, mesh, options.moved);
-}
-
-inline constexpr std::array<MeshFormat, 6> kFormats = {{{".glb", "glb", readGltf, 1000, false, {"glTF"}, writeGlb, true},
+inline constexpr std::array<MeshFormat, 6> kFormats = {{{".glb", "glb", readGltf, 1000, false, {"glTF"}},
                                                         {".gltf", "glTF", readGltf, 1000},
-                                                        {".ply", "PLY", readPly, 1, false, {"ply\n", "ply\r", "ply "}, writePlyOf},
+                                                        {".ply", "PLY", readPly, 1, false, {"ply\n", "ply\r", "ply "}},
                                                         {".obj", "OBJ", readObj, 1},
                                                         {".stl", "STL", readStl, 1, true},
                                                         {".off", "OFF", readOff, 1}}};

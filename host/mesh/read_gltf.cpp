@@ -944,7 +944,7 @@ private:
         return readClusters(primitive["extras"]["tegument"], mesh_.parts.back());
     }
 
-    /// Of our own files (write_glb.cpp): how many indices each has. Their balls and cones are made anew, in whatever place the mesh has.
+    /// Of our own files (meshprep/write): how many indices each has. Their balls and cones are made anew, in whatever place the mesh has.
     static std::optional<Error> readClusters(const GltfValue& extras, MeshPart& part) {
         if (!extras.has("clusters")) return std::nullopt;
         const GltfValue list = extras["clusters"];

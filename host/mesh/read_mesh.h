@@ -40,7 +40,6 @@ struct ReadMesh {
     std::vector<std::string> materialNames{}; // of the parts of an OBJ file
 };
 
-struct GlbOptions;
 namespace meshfile {
 struct Source;
 }
@@ -53,8 +52,6 @@ struct MeshFormat {
     double unitMm;                            // of a file that does not say
     bool zIsUp = false;                       // else y
     std::array<std::string_view, 3> starts{}; // its first bytes are one of these; empty: only its name tells
-    Result<void> (*write)(const std::filesystem::path& path, const Mesh& mesh, const GlbOptions& options) = nullptr; // or it is not
-    bool holdsParts = false; // what is written has parts, materials, pictures and levels
 };
 [[nodiscard]] std::span<const MeshFormat> meshFormats();
 /// By the ending of its name; null where that is none of a mesh.

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace tegument::bench {
 
@@ -35,21 +34,6 @@ std::string define(const std::string& name, const std::string& value) {
 }
 
 } // namespace
-
-std::vector<std::size_t> paretoFront(const std::vector<Row>& rows) {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (!rows[i].failure) order.push_back(i);
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::pair(milliseconds(rows[i]), rows[i].errors.relativeL2); });
-    std::vector<std::size_t> front;
-    double best = std::numeric_limits<double>::infinity();
-    for (const std::size_t i : order) {
-        if (rows[i].errors.relativeL2 >= best) continue;
-        best = rows[i].errors.relativeL2;
-        front.push_back(i);
-    }
-    return front;
-}
 
 std::optional<Choice> pick(const std::vector<Row>& rows, const Limit& limit) {
     std::vector<std::size_t> within;

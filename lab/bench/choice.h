@@ -21,9 +21,6 @@ struct Choice {
     std::vector<std::size_t> ties; // other rows that the spread of the times does not tell apart from it
 };
 
-/// Of one scene and size of maps: indices of the rows than which no other is both faster and nearer to the truth, fastest first.
-[[nodiscard]] std::vector<std::size_t> paretoFront(const std::vector<Row>& rows);
-
 /// The cheapest row within the error, or the most accurate within the time; of those that tie, the most accurate. Indices of rows.
 [[nodiscard]] std::optional<Choice> pick(const std::vector<Row>& rows, const Limit& limit);
 

@@ -5,6 +5,7 @@
 #include "lab/bench/shapes.h"
 #include "meshprep/assets/names.h"
 #include "meshprep/assets/scene.h"
+#include "meshprep/write/write_mesh.h"
 
 #include <nlohmann/json.hpp>
 

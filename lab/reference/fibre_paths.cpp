@@ -1,8 +1,8 @@
 #include "lab/reference/fibre_paths.h"
 
 #include "host/support/parallel.h"
-#include "host/support/rays/curve_tree.h"
-#include "host/support/rays/surface_tree.h"
+#include "meshprep/rays/curve_tree.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <algorithm>
 #include <cmath>

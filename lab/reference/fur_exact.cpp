@@ -1,7 +1,7 @@
 #include "lab/reference/fur_exact.h"
 
 #include "host/support/parallel.h"
-#include "host/support/rays/box_tree.h"
+#include "meshprep/rays/box_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "lab/reference/surface.h"
 
-#include "host/support/rays/surface_tree.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <algorithm>
 

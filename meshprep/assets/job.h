@@ -2,7 +2,7 @@
 // A render request by names and files, and what is read for it: effect, scene and values, before a device is touched. What meshes and
 // effects need beside (fur maps, roots, strands, links, environment maps) is made, and cached in the cache folder.
 
-#include "host/adopt/adopt.h"
+#include "meshprep/adopt/adopt.h"
 #include "meshprep/assets/generators.h"
 #include "meshprep/assets/scene.h"
 

@@ -1,8 +1,8 @@
 #include "meshprep/human/exterior.h"
 
 #include "host/support/disjoint_sets.h"
-#include "host/support/rays/surface_tree.h"
 #include "meshprep/human/cut.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <algorithm>
 #include <cmath>

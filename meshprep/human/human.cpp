@@ -16,6 +16,7 @@
 #include "meshprep/human/quad_mesh.h"
 #include "meshprep/human/skin_color.h"
 #include "meshprep/human/skin_relief.h"
+#include "meshprep/write/write_mesh.h"
 
 #include <fmt/format.h>
 

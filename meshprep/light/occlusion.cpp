@@ -1,9 +1,9 @@
 #include "meshprep/light/occlusion.h"
 
 #include "host/support/parallel.h"
-#include "host/support/rays/surface_tree.h"
 #include "meshprep/base/noise.h"
 #include "meshprep/base/texel_owners.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 // A large mesh as pieces whose indices have 16 bits.
 
-#include "host/mesh/glb.h"
+#include "meshprep/write/glb.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Coarser levels over the same vertices.
 
-#include "host/mesh/glb.h"
 #include "meshprep/prepare/distance.h"
+#include "meshprep/write/glb.h"
 
 namespace tegument::prep {
 

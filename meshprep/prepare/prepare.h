@@ -1,7 +1,6 @@
 #pragma once
 // The whole way of `tegument prep`: a mesh file read, cleaned, centred, given normals, indexed and put in order. docs/meshprep.md.
 
-#include "host/mesh/glb.h"
 #include "host/mesh/read_mesh.h"
 #include "meshprep/order/order.h"
 #include "meshprep/prepare/centre.h"
@@ -13,6 +12,7 @@
 #include "meshprep/prepare/topology.h"
 #include "meshprep/prepare/vertex_format.h"
 #include "meshprep/prepare/vertex_normals.h"
+#include "meshprep/write/glb.h"
 
 #include <functional>
 

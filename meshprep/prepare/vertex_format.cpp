@@ -1,6 +1,6 @@
 #include "meshprep/prepare/vertex_format.h"
 
-#include "host/mesh/glb.h"
+#include "meshprep/write/glb.h"
 
 #include <glm/gtc/packing.hpp>
 

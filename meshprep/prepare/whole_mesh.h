@@ -1,8 +1,8 @@
 #pragma once
 // A mesh of several parts as the simplifier sees it.
 
-#include "host/mesh/glb.h"
 #include "meshprep/prepare/simplify.h"
+#include "meshprep/write/glb.h"
 
 #include <set>
 #include <span>

@@ -1,10 +1,10 @@
 // Effects of other hosts, written for this test in the manner of each, become sources that DXC takes; and what their parameters get.
 // Every construct that foreign effects are refused for elsewhere stands in three or more of the effects that are read, compiled and drawn.
 
-#include "host/adopt/adopt.h"
-#include "host/adopt/bind.h"
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
+#include "meshprep/adopt/adopt.h"
+#include "meshprep/adopt/bind.h"
 #include "tests/adopt/support.h"
 #include "tests/spirv/missing.h"
 

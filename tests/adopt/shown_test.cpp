@@ -1,6 +1,6 @@
 // What of a foreign effect is shown: which technique, which passes, where its light comes from, what fills its textures.
 
-#include "host/adopt/negated.h"
+#include "meshprep/adopt/negated.h"
 #include "tests/adopt/support.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Effects of other hosts, for tests of what they become.
 
-#include "host/adopt/adopt.h"
+#include "meshprep/adopt/adopt.h"
 #include "tests/effect/support.h"
 
 #include <string>

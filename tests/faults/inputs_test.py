@@ -95,7 +95,7 @@ class Inputs(harness.Faults):
             ((*draw, "-m", "ball.obj", "-o", "{OUT}"), ".png", (*obj, "own.png")),
             ((*draw, "-m", "quad.gltf", "-o", "{OUT}"), ".png", gltf),
             ((*scene, "--turntable", "2", "-o", "turn.png"), "turn-002.png", ("scene.json", "map.png")),
-            ((*scene, "--turntable", "2", "-o", "{OUT}"), ".gif", ("scene.json", "map.png")),
+            ((*scene, "--turntable", "2", "-o", "{OUT}"), ".webp", ("scene.json", "map.png")),
             (("render", "FurCoat", "-m", "ball.obj", "--pose", "bent.obj", "--size", "16", "-o", "{OUT}"), ".png", ("ball.obj", "bent.obj")),
             (("prep", "ball.obj", "-o", "{OUT}"), ".glb", obj),
             (("prep", "ball.obj", "-o", "{OUT}"), ".ply", obj),

@@ -1,9 +1,9 @@
 // Picture after picture in one process: after the first rounds its memory, its open files and the device's objects stay as many as they
 // are. TEGUMENT_RENDERS says how many pictures (default 300; ctest -L slow draws 10,000).
 
-#include "host/adopt/adopt.h"
 #include "host/run/run.h"
 #include "host/support/sanitized.h"
+#include "meshprep/adopt/adopt.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 
 #include "host/support/file.h"
 #include "meshprep/prepare/prepare.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/scene/fuzz/fuzz_mesh.h"
 
 #include <fmt/format.h>

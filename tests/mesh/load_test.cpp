@@ -2,6 +2,7 @@
 
 #include "host/mesh/extent.h"
 #include "host/mesh/triangles.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/mesh/files.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "host/scene/view.h"
 #include "host/scene/workspace.h"
 #include "host/support/file.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/mesh/files.h"
 
 #include <gtest/gtest.h>

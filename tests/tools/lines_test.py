@@ -30,7 +30,7 @@ except ImportError as error:
 
 CACHE = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "tegument")
 BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
-PICTURES = {".png", ".jpg", ".webp", ".gif"}
+PICTURES = {".png", ".jpg", ".webp"}
 WINDOW = 20.0  # seconds that a window, a watch or a server runs before it is closed
 LIMIT = 3600.0
 

@@ -24,7 +24,7 @@ MESSAGES_ARE_MEANT = "Gpu.validation_messages_are_collected"
 PROGRAMS = {
     "tests/gpu/gpu_tests": MESSAGES_ARE_MEANT,
     "tests/run/run_tests": "",
-    "tests/lab/verify/verify_tests": "Full*:ErrataMeasured*",
+    "tests/lab/verify/verify_tests": "Full*",
     "tests/hlsl/hlsl_tests": "",
     "tests/cli/app_tests": "",
     "tests/cli/parts/app_parts_tests": "",

@@ -38,7 +38,7 @@ PROGRAMS = [
     ("tests/fur/drawn/fur_drawn_tests", "^$"),
     ("tests/fur/swept/fur_swept_tests", "^$"),
     ("tests/light/scene_light_tests", "^$"),
-    ("tests/lab/verify/verify_tests", "^Errata|^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
+    ("tests/lab/verify/verify_tests", "^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
     ("tests/peers/peer_tests", "^$"),
     ("tests/cli/app_tests", "^(?!Beckmann|EnergyAtt|FurMotion|FurPose|FurShells|FurStrands|LightUnits|Modules|Pictures|WhiteIrr|Backlit)|Modules.every"),
 ]

@@ -173,7 +173,7 @@ def the_host_serves_every_effect_alike(root):
 
 def some_libraries_are_known_to_one_room(root):
     """What stands behind a wrapper of ours, or serves one subcommand, is included there alone: other rooms build without it."""
-    homes = {"embree3": "host/support/rays", "embree4": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "tools/cli", "webp": "tools/cli", "gif_lib": "tools/cli", "GLFW": "tools/view"}
+    homes = {"embree3": "meshprep/rays", "embree4": "meshprep/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "tools/cli", "webp": "tools/cli", "GLFW": "tools/view"}
     for path in [path for folder in rooms.TOPS for path in files(root / folder, {".cpp", ".h"})]:
         for library in re.findall(r"^#include <(\w+)[./]", text_of(path), re.MULTILINE):
             if library in homes and path.relative_to(root).parent.as_posix() != homes[library]:

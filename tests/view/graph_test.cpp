@@ -2,9 +2,9 @@
 // Times of passes over the last frames.
 // What stands under the cursor, and how values are spread.
 
-#include "host/adopt/adopt.h"
 #include "host/effect/load.h"
 #include "host/run/describe.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/view/graph.h"
 #include "tools/view/panel.h"
 #include "tools/view/pass_times.h"

@@ -236,10 +236,9 @@ class Windows(unittest.TestCase):
         self.ends(run_here("render", effect("Specular.fx"), *words, "here.png"), 0)
         error = json.loads(run_here("compare", "there.png", "here.png", "--json").stdout)
         self.assertLess(error["rel_l2"], 0.01)  # DXC of another version; seen: 0
-        for name in ("turn.gif", "turn.webp"):
-            done = run("render", "Specular", "--mesh", "ball.obj", "--size", "64x64", "--turntable", "2", "-o", name)
-            self.ends(done, 3)
-            self.assertIn("TG8051", done.stderr)
+        done = run("render", "Specular", "--mesh", "ball.obj", "--size", "64x64", "--turntable", "2", "-o", "turn.webp")
+        self.ends(done, 3)
+        self.assertIn("TG8051", done.stderr)
 
     def test_without_vulkan_one_message_says_so(self):
         done = run("render", "Specular", "--mesh", "ball.obj", "-o", "none.png", DISPLAY="", WINEPREFIX=str(WORK / "wine-without-display"))

@@ -1,9 +1,9 @@
 #include "tools/check/check.h"
 
-#include "host/adopt/adopt.h"
 #include "host/effect/load.h"
 #include "host/spirv/messages.h"
 #include "host/support/file.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/check/work.h"
 
 #include <fmt/format.h>
@@ -44,6 +44,13 @@ std::vector<Target> allTargets(bool written) {
     for (const TargetRow& row : kTargets)
         if (written || row.language.empty()) all.push_back(row.target);
     return all;
+}
+
+std::string targetNames(bool written) {
+    std::string names;
+    for (const Target target : allTargets(written))
+        names += (names.empty() ? "" : ", ") + std::string(targetName(target));
+    return names;
 }
 
 std::vector<Target> targetsByName(std::string_view name, bool written) {
@@ -135,7 +142,7 @@ bool mentions(const std::filesystem::path& file, std::string_view word) {
     return text && text->find(word) != std::string::npos;
 }
 
-/// The file's own entry points, each with the source that host/adopt has for it where DXC needs one.
+/// The file's own entry points, each with the source that meshprep/adopt has for it where DXC needs one.
 void collectEntries(Work& work) {
     work.respelt = needsRespelling(work.effect());
     if (!work.effect().ownDialect) work.drawn = adopted(work.effect()).effect;

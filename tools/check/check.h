@@ -48,6 +48,8 @@ inline constexpr std::array<TargetRow, 10> kTargets = {{{Target::Fx2, "fx_2_0"},
 
 /// Those that are checked; `written`: all that can be written, too.
 [[nodiscard]] std::vector<Target> allTargets(bool written = false);
+/// Their names, as a text lists them: "fx_2_0, fx_4_0" ...
+[[nodiscard]] std::string targetNames(bool written = false);
 /// One of them, "all", or "spirv", both compilers'; empty for an unknown name.
 [[nodiscard]] std::vector<Target> targetsByName(std::string_view name, bool written = false);
 
@@ -114,7 +116,7 @@ struct EntryPoint {
     std::string profile; // as the effect writes it
     SourcePosition at;
     std::vector<std::string> arguments{};         // that the pass compiles it with
-    std::string code{};                           // for DXC where the file's own words are Direct3D 9's (host/adopt); empty: the file's
+    std::string code{};                           // for DXC where the file's own words are Direct3D 9's (meshprep/adopt); empty: the file's
     std::string symbol{};                         // its name there
     std::shared_ptr<const Diagnostic> obstacle{}; // why it cannot be respelt
     bool undrawn = false;                         // only passes with stages that this host does not run have it
@@ -149,8 +151,8 @@ struct CheckReport {
 
 /// Loads each file, then:
 ///   spirv-*  every pass as host/run makes it: compiled, validated, stages linked by semantic, the vertex stream bound; when both are asked
-///            for, their reflections are held against each other (TG3201). By DXC an effect of another host is what host/adopt makes of it,
-///            and the technique that is drawn decides: of others errors are warnings.
+///            for, their reflections are held against each other (TG3201). By DXC an effect of another host is what meshprep/adopt makes of
+///            it, and the technique that is drawn decides: of others errors are warnings.
 ///   sm5      every entry point by Microsoft's compiler as vs_5_0, ps_5_0, gs_5_0 or cs_5_0, as Direct3D 11 without effects loads it;
 ///            stages linked by register (TG3205).
 ///   dxil     every entry point by DXC as vs_6_0, ps_6_0 or cs_6_0, as Direct3D 12 loads it, held valid by its validator; stages linked by

@@ -21,12 +21,12 @@ void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) 
     into.insert(into.end(), more.begin(), more.end());
 }
 
-/// What is drawn by this compiler: of another host's effect what host/adopt makes of it.
+/// What is drawn by this compiler: of another host's effect what meshprep/adopt makes of it.
 const Effect& drawnBy(const Work& work, Compiler compiler) {
     return compiler == Compiler::Dxc && work.drawn ? *work.drawn : work.effect();
 }
 
-/// A frame without a shader of the file's: host/adopt writes those of fixed function, and scripts may clear alone.
+/// A frame without a shader of the file's: meshprep/adopt writes those of fixed function, and scripts may clear alone.
 bool drawnByUs(const Work& work, Compiler compiler) {
     const Effect& effect = drawnBy(work, compiler);
     return work.report.entries.empty() && !effect.techniques.empty() && (&effect != &work.effect() || effect.ownDialect);
@@ -92,7 +92,7 @@ void makePasses(const Work& work, const Effect& effect, Compiler compiler, const
             const Pass& pass = effect.techniques[t].passes[p];
             const bool drawn = &effect.techniques[t] == shown;
             const Pass* written =
-                t < work.effect().techniques.size() ? &work.effect().techniques[t].passes[p] : nullptr; // host/adopt adds one
+                t < work.effect().techniques.size() ? &work.effect().techniques[t].passes[p] : nullptr; // meshprep/adopt adds one
             if (needsOtherStages(pass)) continue;
             auto made = run::compilePass(effect, pass, compiler, stages);
             if (made) {

@@ -23,7 +23,7 @@ struct Work {
     std::vector<StagePair> pairs; // each once
     bool compatible = false;      // CheckOptions
     bool respelt = false;         // DXC cannot take the file's own words
-    std::optional<Effect> drawn;  // of another host's effect: what host/adopt makes of it
+    std::optional<Effect> drawn;  // of another host's effect: what meshprep/adopt makes of it
     /// What fx_2_0 reads of a file of the dialect, where it may have more passes.
     std::optional<Effect> nine;
     FileReport report;

@@ -1,15 +1,17 @@
 #pragma once
-// Pictures that follow each other in one file: animated WebP, by libwebp, and GIF, by giflib.
+// Pictures that follow each other in one file: animated WebP, by libwebp.
 
 #include "host/image/image.h"
+#include "host/support/text.h"
 
 #include <memory>
-#include <vector>
 
 namespace tegument::app {
 
-/// By the name's ending, .webp or .gif, in small letters or capitals.
-[[nodiscard]] bool isAnimation(const std::filesystem::path& path);
+/// By the name's ending, .webp, in small letters or capitals.
+[[nodiscard]] inline bool isAnimation(const std::filesystem::path& path) {
+    return toLower(path.extension().string()) == ".webp";
+}
 
 class Animation {
 public:
@@ -27,17 +29,10 @@ public:
 struct AnimationFormat {
     int width = 0;
     int height = 0;
-    int milliseconds = 0; // that each picture is shown; the last is followed by the first, for ever. GIF counts in steps of 10
+    int milliseconds = 0; // that each picture is shown; the last is followed by the first, for ever
 };
 
-/// Of the kind that the path's ending names. TG5205 where the encoder cannot be had.
-[[nodiscard]] Result<std::unique_ptr<Animation>> makeAnimation(const std::filesystem::path& path, const AnimationFormat& format);
-
-// Inside: what the two encoders share, and each of them.
-
-/// Red, green, blue of each pixel, as the PNG has them.
-[[nodiscard]] std::vector<unsigned char> shownBytes(const Image& radiance);
-[[nodiscard]] Result<std::unique_ptr<Animation>> makeWebp(const AnimationFormat& format);
-[[nodiscard]] Result<std::unique_ptr<Animation>> makeGif(const AnimationFormat& format);
+/// TG5205 where the encoder cannot be had.
+[[nodiscard]] Result<std::unique_ptr<Animation>> makeAnimation(const AnimationFormat& format);
 
 } // namespace tegument::app

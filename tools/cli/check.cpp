@@ -162,13 +162,9 @@ Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names,
     for (const std::string& name : names) {
         const std::vector<Target> targets = targetsByName(name, written);
         const char* what = written ? "output" : "target";
-        if (targets.empty()) {
-            std::string known;
-            for (const Target target : allTargets(written))
-                known += fmt::format("{} ", targetName(target));
+        if (targets.empty())
             return usageError(written ? 8021 : 8020, fmt::format("unknown {} '{}'", what, name),
-                              fmt::format("{}s: {}spirv all", what, known));
-        }
+                              fmt::format("{}s: {}, spirv, all", what, targetNames(written)));
         wanted.insert(targets.begin(), targets.end());
     }
     return std::vector(wanted.begin(), wanted.end());
@@ -426,17 +422,14 @@ void addCheck(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("check", "Compile effects for every target, offline and without a GPU");
     CLI::Option* files =
         command->add_option("effects", arguments->files, "Effects: files (.fx), or names of ours, such as Main")->required();
-    repeatable(command->add_option("--target", arguments->targets,
-                                   "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang or all; may be repeated"))
+    repeatable(command->add_option("--target", arguments->targets, targetNames() + ", spirv or all; may be repeated"))
         ->capture_default_str();
     command->add_flag("--all-settings", arguments->allSettings, "Check every setting that an effect has");
     command->add_flag("--gec", arguments->compatible,
                       "Microsoft's compiler with its option /Gec: models 1, changed parameters, byte order marks");
     addEffectOptions(*command, arguments->effect);
     CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
-    repeatable(command->add_option(
-                   "--emit-kind", arguments->emitKinds,
-                   "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated"))
+    repeatable(command->add_option("--emit-kind", arguments->emitKinds, targetNames(true) + ", spirv or all; may be repeated"))
         ->capture_default_str()
         ->needs(emit);
     command->add_flag("--resources", arguments->resources,

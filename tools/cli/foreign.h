@@ -1,8 +1,8 @@
 #pragma once
 // Effects of other hosts on the command line: what was bound by which rule, and what their picture shows.
 
-#include "host/adopt/adopt.h"
 #include "host/image/image.h"
+#include "meshprep/adopt/adopt.h"
 
 #include <optional>
 #include <string>

@@ -14,6 +14,7 @@
 #include "meshprep/fur/roots/head_hair.h"
 #include "meshprep/fur/roots/root_maps.h"
 #include "meshprep/fur/strand_statistics.h"
+#include "meshprep/write/write_mesh.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/fur_groom.h"

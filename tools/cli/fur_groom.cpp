@@ -5,6 +5,7 @@
 #include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/groom/bind.h"
 #include "meshprep/groom/groom_file.h"
+#include "meshprep/write/write_mesh.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/output.h"
 

@@ -6,6 +6,7 @@
 #include "host/support/text.h"
 #include "meshprep/assets/picture.h"
 #include "meshprep/groom/groom_file.h"
+#include "meshprep/write/write_mesh.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,10 +97,8 @@ bool isOurs(const std::filesystem::path& path) {
 
 /// For kinds of files that carry a mark.
 void warnOfForeign(const std::filesystem::path& path) {
-    const MeshFormat* mesh = meshFormatOf(path);
     std::error_code code;
-    if (!(assets::isPicture(path) || (mesh && mesh->write) || isGroom(path)) || !std::filesystem::is_regular_file(path, code) ||
-        isOurs(path))
+    if (!(assets::isPicture(path) || meshWriterOf(path) || isGroom(path)) || !std::filesystem::is_regular_file(path, code) || isOurs(path))
         return;
     Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028};
     diagnostic.text = fmt::format("{} was not written by Tegument, and is replaced", path.string());

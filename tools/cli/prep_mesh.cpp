@@ -10,6 +10,7 @@
 #include "meshprep/assets/names.h"
 #include "meshprep/prepare/manifold_levels.h"
 #include "meshprep/prepare/prepare.h"
+#include "meshprep/write/write_mesh.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/output.h"
 #include "tools/cli/report_options.h"
@@ -318,7 +319,7 @@ struct Arguments {
 
 /// Whether what is written holds more than the full mesh in one piece.
 bool holdsParts(const Arguments& arguments) {
-    const MeshFormat* output = meshFormatOf(arguments.output);
+    const MeshWriter* output = meshWriterOf(arguments.output);
     return !output || output->holdsParts;
 }
 
@@ -328,7 +329,7 @@ Json reportOf(const Arguments& arguments, const prep::PrepReport& report) {
 
 Result<void> write(const Arguments& arguments, const prep::Prepared& prepared) {
     if (!arguments.dryRun) {
-        const auto written = meshFormatOf(arguments.output)->write(arguments.output, prepared.mesh, prepared.glb);
+        const auto written = meshWriterOf(arguments.output)->write(arguments.output, prepared.mesh, prepared.glb);
         if (!written) return written.error();
     }
     if (arguments.report.empty()) return {};
@@ -363,7 +364,7 @@ Result<void> checkFiles(const Arguments& arguments) {
     if (const auto can = checkOutput(arguments.report, {}); !can) return can.error();
     if (arguments.dryRun) return {};
     if (arguments.output.empty()) return usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run");
-    if (const MeshFormat* output = meshFormatOf(arguments.output); !output || !output->write)
+    if (!meshWriterOf(arguments.output))
         return usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply");
     return checkOutput(arguments.output, {});
 }
@@ -388,7 +389,7 @@ void warnOfLost(const prep::Prepared& prepared, const std::string& output) {
     add(mesh.motion ? mesh.motion->skins.size() : 0, "skins");
     add(targets, "morph targets");
     if (lost.empty()) return;
-    warn({inputWarning(5331, {}, fmt::format("a {} file keeps none of {}", meshFormatOf(output)->name, lost), "write a glb to keep them")});
+    warn({inputWarning(5331, {}, fmt::format("a {} file keeps none of {}", meshWriterOf(output)->name, lost), "write a glb to keep them")});
 }
 
 /// The folders that writing will create, the outermost one.

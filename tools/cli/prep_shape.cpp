@@ -1,6 +1,7 @@
 // tegument prep shape: meshes with known counts to try preparation on.
 
 #include "meshprep/prepare/shapes.h"
+#include "meshprep/write/write_mesh.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/output.h"
 #include "tools/cli/prep_mesh.h"

@@ -53,7 +53,7 @@ public:
     Result<void> begin(const RunOptions& run, int pictures, double takes) {
         if (!isAnimation(output_)) return {};
         const int each = std::max(kShortest, static_cast<int>(std::lround(std::min(takes, 1e6) / pictures)));
-        auto animation = makeAnimation(output_, {.width = run.width, .height = run.height, .milliseconds = each});
+        auto animation = makeAnimation({.width = run.width, .height = run.height, .milliseconds = each});
         if (!animation) return animation.error();
         animation_ = std::move(*animation);
         return {};
@@ -406,9 +406,8 @@ void addRender(CLI::App& program, Action& action) {
                               ->check(CLI::Range(1, 10000))
                               ->capture_default_str();
     command
-        ->add_option(
-            "--turntable", options->turntable,
-            "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp or .gif")
+        ->add_option("--turntable", options->turntable,
+                     "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp")
         ->check(CLI::Range(2, 999))
         ->excludes(dump)
         ->excludes(frames);

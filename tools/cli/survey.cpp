@@ -474,8 +474,7 @@ void addSurvey(CLI::App& program, Action& action) {
     auto options = std::make_shared<SurveyOptions>();
     CLI::App* command = program.add_subcommand("survey", "What of a folder of effects is read, compiles and draws");
     command->add_option("folder", options->folder, "Folder; all files *.fx below it")->required();
-    repeatable(command->add_option("--target", options->targets,
-                                   "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang, all or none; may be repeated"))
+    repeatable(command->add_option("--target", options->targets, targetNames() + ", spirv, all or none; may be repeated"))
         ->capture_default_str();
     command->add_option("--size", options->size, "Picture size in pixels")->capture_default_str();
     CLI::Option* output = command->add_option("-o,--output", options->pictures, "Folder for the pictures; without it none are written");

@@ -1,7 +1,7 @@
 #include "tools/cli/unread.h"
 
-#include "host/adopt/code.h"
-#include "host/adopt/kinds.h"
+#include "meshprep/adopt/code.h"
+#include "meshprep/adopt/kinds.h"
 #include "meshprep/assets/given_values.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "tools/direct3d9/reference.h"
 
-#include "host/adopt/adopt.h"
 #include "host/run/pixels.h"
 #include "host/support/file.h"
 #include "host/support/system.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/direct3d/microsoft.h"
 #include "tools/direct3d/microsoft_messages.h"
 #include "tools/direct3d/wine.h"

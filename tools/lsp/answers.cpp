@@ -1,10 +1,10 @@
 #include "tools/lsp/answers.h"
 
-#include "host/adopt/adopt.h"
 #include "host/effect/entry_points.h"
 #include "host/effect/states.h"
 #include "host/spirv/dxil.h"
 #include "host/support/text.h"
+#include "meshprep/adopt/adopt.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

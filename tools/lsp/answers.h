@@ -19,8 +19,8 @@ struct Compiled {
     std::map<std::string, std::vector<std::string>> registers; // of a parameter: "c3 in SkinPS", "t0 in SkinPS"
 };
 
-/// Every entry point that is drawn, by DXC; of another host's effect as host/adopt spells it. Where there is no DXC glslang compiles what
-/// it can read: of the words of Direct3D 9 nothing is said.
+/// Every entry point that is drawn, by DXC; of another host's effect as meshprep/adopt spells it. Where there is no DXC glslang compiles
+/// what it can read: of the words of Direct3D 9 nothing is said.
 [[nodiscard]] Compiled compile(const Effect& effect);
 
 /// What is asked, and what is known: the file with the cursor first, then all that it includes, and what includes it.

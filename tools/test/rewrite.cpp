@@ -1,8 +1,8 @@
 #include "tools/test/rewrite.h"
 
-#include "host/adopt/spelling.h"
 #include "host/effect/parser.h"
 #include "host/support/text.h"
+#include "meshprep/adopt/spelling.h"
 #include "tools/test/declarations.h"
 
 #include <fmt/format.h>

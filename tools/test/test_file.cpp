@@ -1,8 +1,8 @@
 #include "tools/test/test_file.h"
 
-#include "host/adopt/rewrite.h"
 #include "host/effect/code_view.h"
 #include "host/effect/preprocess.h"
+#include "meshprep/adopt/rewrite.h"
 #include "tools/test/rewrite.h"
 
 #include "generated/test_assertions.h"

@@ -104,20 +104,4 @@ Levels brightened(const Levels& levels, double stops) {
     return result;
 }
 
-Image applyLevels(const Image& image, const Levels& levels) {
-    Image shown{.width = image.width, .height = image.height, .channels = 3};
-    const auto channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t first = 0; first < image.pixels.size(); first += channels)
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t channel = levels.channel > 0 ? static_cast<std::size_t>(levels.channel - 1) : c;
-            const float value = channel < channels ? image.pixels[first + channel] : 0;
-            float level = value * levels.scale[channel] + levels.offset[channel];
-            if (levels.toneMap) level = toneMap(level);
-            level = std::clamp(level, 0.0F, 1.0F);
-            if (levels.encode) level = linearToSrgb(level);
-            shown.pixels.push_back(std::isfinite(value) ? level : c == 1 ? 0.0F : 1.0F);
-        }
-    return shown;
-}
-
 } // namespace tegument::view

@@ -13,7 +13,4 @@ namespace tegument::view {
 /// `stops` brighter: twice the light each.
 [[nodiscard]] Levels brightened(const Levels& levels, double stops);
 
-/// The same on the processor: three channels of display values for PngEncoding::Raw. NaN and infinity are magenta.
-[[nodiscard]] Image applyLevels(const Image& image, const Levels& levels);
-
 } // namespace tegument::view

@@ -2,9 +2,9 @@
 // What stands beside the picture: menus, controls, sheets of figures, targets as small pictures, the effect's text; and on it the lights'
 // handles. To be called inside Overlay::draw.
 
-#include "host/adopt/adopt.h"
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/view/file_dialog.h"
 #include "tools/view/graph.h"
 #include "tools/view/layout.h"

@@ -4,9 +4,9 @@
 // A picture that is made while another one is shown and moved: of another technique or setting, of an edited effect, or of a file that was
 // dropped on the window.
 
-#include "host/adopt/adopt.h"
 #include "host/run/ahead.h"
 #include "host/run/session.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/view/sharpness.h"
 #include "tools/view/view.h"
 

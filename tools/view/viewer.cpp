@@ -1,9 +1,9 @@
 #include "tools/view/viewer.h"
 
-#include "host/adopt/adopt.h"
 #include "host/run/pixels.h"
 #include "host/run/semantics.h"
 #include "host/support/file.h"
+#include "meshprep/adopt/adopt.h"
 #include "tools/view/levels.h"
 #include "tools/view/places.h"
 #include "tools/view/workspace_write.h"
@@ -443,7 +443,7 @@ RunOptions Viewer::runOptionsOf(const ViewRequest& request) {
     options.height = static_cast<int>(drawnPixels().height);
     options.keepUnchanged = true;
     if (isDraft()) options.samples = 1;
-    if (sharpness_.coarse) options.coarser = {.triangles = fewer_, .everywhere = sharpness_.drafting};
+    if (sharpness_.coarse) options.coarser = fewer_;
     if (inPieces_) options.pieces = {.goOn = [this] { return mayGoOn(); }, .bands = pieces_.bands(), .others = kUnknownBands};
     return options;
 }

@@ -1,9 +1,9 @@
 #pragma once
 // The triangle below a root: the texture of roots does not say which it is.
 
-#include "host/support/rays/surface_tree.h"
 #include "meshprep/fur/ribbons/rooted.h"
 #include "meshprep/fur/roots/fur_surface.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <optional>
 

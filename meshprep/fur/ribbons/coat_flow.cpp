@@ -1,8 +1,8 @@
 #include "meshprep/fur/ribbons/coat_flow.h"
 
 #include "host/support/parallel.h"
-#include "host/support/rays/surface_tree.h"
 #include "meshprep/fur/roots/point_grid.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <algorithm>
 #include <cmath>

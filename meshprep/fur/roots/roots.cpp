@@ -1,9 +1,9 @@
 #include "meshprep/fur/roots/roots.h"
 
 #include "host/support/parallel.h"
-#include "host/support/rays/surface_tree.h"
 #include "meshprep/fur/roots/fur_surface.h"
 #include "meshprep/fur/roots/scatter.h"
+#include "meshprep/rays/surface_tree.h"
 
 #include <fmt/format.h>
 

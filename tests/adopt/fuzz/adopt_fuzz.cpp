@@ -1,6 +1,6 @@
 // Any bytes are another host's effect: it is read leniently and respelt, or reports errors; it never crashes, hangs or eats memory.
 
-#include "host/adopt/adopt.h"
+#include "meshprep/adopt/adopt.h"
 #include "tests/effect/support.h"
 
 #include <cstdint>

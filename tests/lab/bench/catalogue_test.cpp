@@ -108,14 +108,6 @@ TEST(Catalogue, of_the_effects_names_files_and_techniques_that_exist) {
     }
 }
 
-TEST(Choice, the_front_holds_what_nothing_beats_in_both) {
-    EXPECT_EQ(paretoFront(five()), (std::vector<std::size_t>{1, 2, 0}));
-}
-
-TEST(Choice, of_two_equal_rows_one_is_on_the_front) {
-    EXPECT_EQ(paretoFront({row(1, 0.1), row(1, 0.1)}).size(), 1);
-}
-
 TEST(Choice, takes_the_cheapest_within_an_error) {
     EXPECT_EQ(pick(five(), {.error = 0.05})->row, 2);
     EXPECT_EQ(pick(five(), {.error = 0.5})->row, 1);

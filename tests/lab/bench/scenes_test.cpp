@@ -10,6 +10,7 @@
 #include "lab/bench/truth.h"
 #include "lab/reference/surface.h"
 #include "meshprep/assets/generators.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "meshprep/prepare/points.h"
 #include "meshprep/prepare/prepare.h"
 #include "meshprep/prepare/shapes.h"
+#include "meshprep/write/write_mesh.h"
 
 #include <gtest/gtest.h>
 

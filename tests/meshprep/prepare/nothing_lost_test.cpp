@@ -3,6 +3,7 @@
 #include "host/mesh/motion.h"
 #include "host/mesh/read_mesh.h"
 #include "meshprep/fur/roots/vertex_values.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/meshprep/prepare/glb_text.h"
 #include "tests/meshprep/prepare/meshes.h"
 

@@ -2,6 +2,7 @@
 #include "host/mesh/triangles.h"
 #include "meshprep/prepare/levels.h"
 #include "meshprep/prepare/simplify.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/meshprep/prepare/meshes.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "host/mesh/read_mesh.h"
 #include "host/support/file.h"
 #include "meshprep/fur/roots/vertex_values.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/meshprep/prepare/glb_text.h"
 #include "tests/meshprep/prepare/meshes.h"
 

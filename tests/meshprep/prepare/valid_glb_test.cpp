@@ -1,6 +1,7 @@
 // Everything that preparation writes, judged by others: Khronos's validator, and gltfpack, whose reader is cgltf.
 #include "host/support/file.h"
 #include "meshprep/prepare/prepare.h"
+#include "meshprep/write/write_mesh.h"
 #include "tests/meshprep/prepare/hard_files.h"
 #include "tests/meshprep/prepare/meshes.h"
 

@@ -1,7 +1,7 @@
 #include "tests/meshprep/table/gltfpack.h"
 
-#include "host/mesh/glb.h"
 #include "host/mesh/read_mesh.h"
+#include "meshprep/write/glb.h"
 #include "tools/process/process.h"
 
 #include <chrono>

@@ -2,6 +2,7 @@
 #include "host/support/sanitized.h"
 #include "meshprep/prepare/prepare.h"
 #include "meshprep/prepare/shapes.h"
+#include "meshprep/write/write_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -116,7 +116,11 @@ Result<void> report(const BatchOptions& options) {
     const auto records = batch::readRecords(options.results);
     if (!records) return records.error();
     const batch::Rows rows = tableOf(*records, options.columns);
-    if (!options.report.empty()) return report::write(options.report, batch::pageOf(rows));
+    if (!options.report.empty()) {
+        const auto written = report::write(options.report, batch::pageOf(rows));
+        if (written && !options.json) fmt::print("wrote {}\n", options.report);
+        return written;
+    }
     for (const batch::Record& record : *records)
         if (options.json) fmt::print("{}\n", lineOf(record));
     if (!options.json) fmt::print("{}", table(rows.front(), {rows.begin() + 1, rows.end()}));

@@ -81,6 +81,13 @@ private:
             turnUp();
             end("up", surface_.mesh.positions.size(), "z is up in the file, y in what is written");
         }
+        if (options_.flipV && !surface_.mesh.uvs.empty()) {
+            begin("flip v");
+            for (glm::vec2& uv : surface_.mesh.uvs)
+                uv.y = 1 - uv.y;
+            surface_.mesh.tangents.clear();
+            end("flip v", surface_.mesh.uvs.size(), "v is turned");
+        }
         noteDropped("faces of fewer than three corners", "small faces", counts.smallFaces);
         noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
         noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);

@@ -161,6 +161,7 @@ TEST(PrepMesh, draws_the_pictures_of_all_materials_anew_where_it_makes_texture_c
     const std::string mesh = write("sides.obj", text);
     const Ran ran = tegument::test::tegument({"prep", mesh, "--unwrap", "--unit-mm", "1", "-o", out("sides.glb")});
     ASSERT_EQ(ran.code, 0) << ran.err;
+    ASSERT_EQ(tegument::test::tegument({"prep", mesh, "--unwrap", "--flip-v", "--unit-mm", "1", "-o", out("flipped.glb")}).code, 0);
     EXPECT_NE(ran.out.find("1 drawn anew for these charts"), std::string::npos) << ran.out;
     const auto drawn = [](const std::string& name, const std::string& file) {
         return render(name, {"effects/OriginalTexture.fx", "--mesh", file, "--unit-mm", file.ends_with("glb") ? "1000" : "1", "--size",
@@ -169,6 +170,7 @@ TEST(PrepMesh, draws_the_pictures_of_all_materials_anew_where_it_makes_texture_c
     };
     const tegument::Image before = drawn("sides_before", mesh), after = drawn("sides_after", out("sides.glb"));
     ASSERT_EQ(before.pixels.size(), after.pixels.size());
+    EXPECT_NE(drawn("sides_flipped", out("flipped.glb")).pixels, after.pixels);
     double off = 0, all = 0;
     for (std::size_t i = 0; i < before.pixels.size(); ++i) {
         off += std::pow(static_cast<double>(before.pixels[i]) - static_cast<double>(after.pixels[i]), 2);

@@ -106,8 +106,8 @@ Result<int> run(const BatchOptions& options, const CLI::App& program) {
     progress.clear();
     if (!ran) return ran.error();
     if (!options.json)
-        fmt::print("{} inputs: {} done, {} done before, {} failed; records in {}\n", heard, heard - before - failed, before, failed,
-                   options.results);
+        fmt::print("{}: {} done, {} done before, {} failed; records in {}\n", counted(heard, "input"), heard - before - failed, before,
+                   failed, options.results);
     return failed == 0 ? 0 : worst == 3 ? 3 : 1; // the machine, or an input
 }
 

@@ -164,6 +164,26 @@ def write_head(folder):
     Image.open(CACHE / "human/color.png").convert("RGB").resize((1024, 1024)).save(folder / "photograph.jpg", quality=92)
 
 
+def write_walk(source, path):
+    """The same file with an animation of its node: a step forward in a second."""
+    data = source.read_bytes()
+    length = struct.unpack("<I", data[12:16])[0]
+    document, binary = json.loads(data[20:20 + length]), data[28 + length:]
+    begin = len(binary)
+    binary += struct.pack("<8f", 0, 1, 0, 0, 0, 0, 0, 0.1)
+    views, accessors = document["bufferViews"], document["accessors"]
+    views += [{"buffer": 0, "byteOffset": begin, "byteLength": 8}, {"buffer": 0, "byteOffset": begin + 8, "byteLength": 24}]
+    accessors += [{"bufferView": len(views) - 2, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                  {"bufferView": len(views) - 1, "componentType": 5126, "count": 2, "type": "VEC3"}]
+    document["animations"] = [{"name": "walk", "samplers": [{"input": len(accessors) - 2, "output": len(accessors) - 1}],
+                               "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]
+    document["buffers"][0]["byteLength"] = len(binary)
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(binary)) + struct.pack("<I4s", len(text), b"JSON") + text
+                     + struct.pack("<I4s", len(binary), b"BIN\0") + binary)
+
+
 def write_panorama(path):
     height, width = 32, 64
     rows = numpy.linspace(0, 1, height)[:, None, None]
@@ -178,9 +198,10 @@ def write_panorama(path):
 
 EFFECT = """float4x4 gMatrix;
 float3 gColour = { 0.2, 0.5, 0.9 };
+float gScale = 1;
 struct Lit { float4 place : SV_Position; float3 normal : TEXCOORD0; };
 Lit VS(float4 place : POSITION, float3 normal : NORMAL) { Lit o; o.place = mul(place, gMatrix); o.normal = normal; return o; }
-float4 PS(Lit i) : SV_Target { return float4(gColour * (0.5 + 0.5 * normalize(i.normal).y), 1); }
+float4 PS(Lit i) : SV_Target { return float4(gColour * gScale * (0.5 + 0.5 * normalize(i.normal).y), 1); }
 technique Flat { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }
 """
 
@@ -200,6 +221,10 @@ def prepare(program, folder, shared):
         shutil.copy(shared / "my.fx", shared / "my_effects/my.fx")
         (shared / "my/includes").mkdir(parents=True)
         shutil.copy(shared / "bunny.glb", shared / "my.glb")
+        write_walk(shared / "head.glb", shared / "body.glb")
+        for name in ("fresnel.hlsl", "fresnel.test.hlsl"):
+            shutil.copy(REPOSITORY / "docs/samples/test" / name, shared / name)
+        shutil.copy(shared / "fresnel.test.hlsl", shared / "my.test.hlsl")
         tegument("fur", "roots", "bunny.glb", "-o", "made.dds")
         tegument("fur", "strands", "bunny.glb", "-o", "strands.glb")
         tegument("fur", "export", "strands.glb", "--share", "0.02", "-o", "groom.abc")

@@ -156,8 +156,8 @@ std::pair<glm::dvec3, glm::dvec3> shownAt(const Mesh& mesh, std::size_t triangle
     const std::uint32_t* corners = &mesh.indices[3 * triangle];
     for (int i = 0; i < 3; ++i) {
         uv += glm::dvec2(mesh.uvs[corners[i]]) / 3.0;
-        normal += glm::dvec3(mesh.normals[corners[i]]);
-        tangent += glm::dvec3(mesh.tangents[corners[i]]);
+        normal += glm::dvec3(mesh.normals[corners[i]]) / 3.0;
+        tangent += glm::dvec3(mesh.tangents[corners[i]]) / 3.0;
     }
     const glm::dvec3 bump = texelAt(mesh.textures.at(1).image, uv) * 2.0 - 1.0;
     const glm::dvec3 across = glm::cross(normal, tangent) * static_cast<double>(mesh.tangents[corners[0]].w);

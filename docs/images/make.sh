@@ -38,10 +38,10 @@ tones() { # the skins among the presets
 coats() { # every preset of FurCoat on the Bunny, and hair on the default head
     local coat pictures=()
     for coat in rabbit fox cat bear terrier plush velvet; do
-        "$tegument" render FurCoat -p "$coat" -w bunny_roots --size 400x340 -o "$work/$coat.png" >/dev/null
+        "$tegument" render FurCoat -p "$coat" -w bunny_roots --fit width --size 400x340 -o "$work/$coat.png" >/dev/null
         pictures+=("$work/$coat.png")
     done
-    "$tegument" render FurSkin --size 400x340 -o "$work/head.png" >/dev/null
+    "$tegument" render FurSkin --fit width --size 400x340 -o "$work/head.png" >/dev/null
     "$tegument" sheet "${pictures[@]}" "$work/head.png" --columns 4 -o docs/images/coats.jpg
 }
 

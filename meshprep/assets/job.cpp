@@ -14,6 +14,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 namespace tegument::assets {
@@ -177,9 +178,15 @@ Result<void> definePicture(const JobOptions& options, std::vector<std::pair<std:
     return {};
 }
 
+bool isOurs(const std::filesystem::path& workspace) {
+    std::error_code failed;
+    return std::ranges::any_of(knownWorkspaces(), [&](const auto& known) { return std::filesystem::equivalent(known, workspace, failed); });
+}
+
 /// A scene's camera is made for the size that it names, or for a square; its field of view is across, and a wider picture would cut what is
 /// above and below.
-void fit(Workspace& workspace, const std::string& how, double aspect) {
+void fit(Workspace& workspace, std::string how, bool own, double aspect) {
+    if (how.empty()) how = own && !workspace.size ? "width" : "both";
     const double shape = workspace.size ? static_cast<double>(workspace.size->first) / workspace.size->second : 1;
     const double wider = how == "height" ? aspect / shape : how == "both" ? std::max(1.0, aspect / shape) : 1.0;
     if (wider == 1) return;
@@ -266,15 +273,21 @@ Result<Job> loadJob(const JobOptions& given, MeshFor meshFor, bool turns, const 
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     sceneOptions.turns = turns;
     sceneOptions.unitSize = job.effect.unitSize;
-    auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
+    const bool mesh = needsMesh(job.effect, options.technique, meshFor);
+    auto scene = loadScene(sceneOptions, mesh);
     if (!scene) return scene.error();
+    if (!mesh && !options.scene.mesh.empty())
+        job.warnings.push_back(inputWarning(8054, {}, fmt::format("--mesh {} changes nothing: no mesh is drawn", options.scene.mesh),
+                                            needsMesh(job.effect, {}, MeshFor::AnyTechnique) ? "another technique draws one"
+                                                                                             : "the effect draws whole pictures alone"));
     job.scene = std::move(*scene);
-    if (sceneOptions.mesh.empty()) fit(job.scene.workspace, options.fit, sceneOptions.aspect);
+    const bool own = !options.scene.workspace.empty() && !isOurs(job.scene.workspace.file);
+    if (sceneOptions.mesh.empty()) fit(job.scene.workspace, options.fit, own, sceneOptions.aspect);
     auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
     if (!warnings) return warnings.error();
     for (const auto& [name, value] : job.load.defines)
         if (findSwitch(name)) job.scene.workspace.parameters[name] = {std::strtod(value.c_str(), nullptr)}; // so that it is saved
-    job.warnings = std::move(foreign.notes);
+    std::ranges::move(foreign.notes, std::back_inserter(job.warnings));
     job.warnings.insert(job.warnings.end(), notes->begin(), notes->end());
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
     job.run.assets = meshAssets(say);

@@ -38,9 +38,10 @@ struct JobOptions {
     std::string depthIn;                 // its depth, 0 to 1; empty: far, or the scene's
     std::string size;                    // empty: the workspace's
     std::string usualSize = "1024x1024"; // where that has none
-    std::string fit = "width";           // what of the scene is kept in a picture of another shape than it is made for: width, height, both
-    int samples = 0;                     // a pixel; 0: the workspace's, else kUsualSamples, or one where the technique cannot have several
-    std::string picture = "float";       // the caller's colour target: float or half
+    std::string
+        fit; // what of the scene is kept in a picture of another shape than it is made for: width, height, both; empty: see loadJob()
+    int samples = 0;               // a pixel; 0: the workspace's, else kUsualSamples, or one where the technique cannot have several
+    std::string picture = "float"; // the caller's colour target: float or half
     std::string compiler;
     std::string device;
     bool validate = false;
@@ -73,8 +74,8 @@ inline constexpr int kUsualSamples = 4;
 /// What the options leave open, the workspace says: technique, setting, size, samples, switches, bindings and poses.
 /// TG8006 to TG8009 a file or technique that does not exist, TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler
 /// is not there, TG8019 a workspace's value that cannot be, TG8043 no such preset; and whatever loading says.
-/// `turns`: a mesh of one's own is framed so that it can turn.
-/// `say` is told what was made.
+/// A picture of another shape keeps both width and height of its scene, but for a workspace of the user's that names no size, whose field
+/// of view across stays. `turns`: a mesh of one's own is framed so that it can turn. `say` is told what was made.
 [[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor = MeshFor::Technique, bool turns = false, const Say& say = {});
 
 /// One picture of it, with the scene's meshes as loadJob() left them.

@@ -208,7 +208,7 @@ Result<void> fileExists(const std::string& named, const std::string& what, const
     const fs::path folder = fs::path(named).parent_path();
     std::vector<std::string> names = others;
     for (const std::string& name : filesOf(folder.empty() ? fs::path(".") : folder, ""))
-        names.push_back((folder / name).string());
+        if (!meshFormatOf(named) == !meshFormatOf(name)) names.push_back((folder / name).string());
     return usageError(8008, fmt::format("{} {} does not exist", what, named), didYouMean(named, names));
 }
 

@@ -5,6 +5,7 @@
 #include "host/mesh/motion.h"
 #include "host/mesh/normals.h"
 #include "host/support/parallel.h"
+#include "meshprep/prepare/carry_textures.h"
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/unwrap.h"
 #include "meshprep/prepare/vertices.h"
@@ -63,6 +64,8 @@ private:
     std::optional<Error> readFile() {
         begin("read");
         Result<ReadMesh> file = readMesh(path_, reading());
+        if (file && options_.unwrap && !file->mesh.uvs.empty() && !file->mesh.materials.images.empty())
+            file = readMesh(path_, reading(false)); // one sheet of all materials, to be drawn by the new coordinates
         if (!file) return file.error();
         surface_.mesh = std::move(file->mesh);
         const ReadCounts& counts = file->counts;
@@ -78,6 +81,13 @@ private:
             turnUp();
             end("up", surface_.mesh.positions.size(), "z is up in the file, y in what is written");
         }
+        if (options_.flipV && !surface_.mesh.uvs.empty()) {
+            begin("flip v");
+            for (glm::vec2& uv : surface_.mesh.uvs)
+                uv.y = 1 - uv.y;
+            surface_.mesh.tangents.clear();
+            end("flip v", surface_.mesh.uvs.size(), "v is turned");
+        }
         noteDropped("faces of fewer than three corners", "small faces", counts.smallFaces);
         noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
         noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);
@@ -91,9 +101,9 @@ private:
         return counts.vertices > 0 ? "a cloud of points must be made a surface first" : "the file holds no mesh: export it again";
     }
 
-    [[nodiscard]] ReadOptions reading() const {
+    [[nodiscard]] ReadOptions reading(bool carryMaterials = true) const {
         ReadOptions read = options_.read;
-        read.carryMaterials = true;
+        read.carryMaterials = carryMaterials;
         read.guessUnit = options_.guessUnit;
         return read;
     }
@@ -219,13 +229,15 @@ private:
 
     std::optional<Error> unwrapped() {
         begin("unwrap");
-        const std::size_t textures = surface_.mesh.textures.size() + surface_.mesh.materials.images.size();
+        if (!surface_.mesh.textures.empty() && !surface_.mesh.uvs.empty()) {
+            before_ = surface_.mesh;
+            computeTangents(*before_);
+        }
         const auto made = unwrap(surface_);
         if (!made) return made.error();
         end("unwrap", made->charts,
-            fmt::format("{} charts cover {:.0f} % of the square, {} vertices split for them{}", made->charts, 100 * made->covered,
-                        made->split,
-                        textures > 0 ? fmt::format("; {} textures left out, which lay by the old coordinates", textures) : ""));
+            fmt::format("{} charts cover {:.0f} % of the square, {} vertices split for them", made->charts, 100 * made->covered,
+                        made->split));
         return std::nullopt;
     }
 
@@ -235,6 +247,12 @@ private:
         computeTangents(surface_.mesh);
         const std::size_t split = surface_.mesh.positions.size() - before;
         end("tangents", surface_.mesh.positions.size(), fmt::format("MikkTSpace, {} vertices split at mirror lines", split));
+        if (!before_) return;
+        begin("textures");
+        const int side = carryTextures(*before_, surface_.mesh);
+        end("textures", surface_.mesh.textures.size(),
+            fmt::format("{} drawn anew for these charts, up to {} x {} texels", surface_.mesh.textures.size(), side, side));
+        before_.reset();
     }
 
     std::optional<Error> putInOrder() {
@@ -467,6 +485,7 @@ private:
     const std::filesystem::path& path_;
     const PrepOptions& options_;
     Surface surface_;
+    std::optional<Mesh> before_; // with its old texture coordinates, for its textures
     GlbOptions glb_;
     PrepReport report_;
     double reach_ = 0; // mm: the greatest coordinate

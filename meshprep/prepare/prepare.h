@@ -26,6 +26,7 @@ struct PrepOptions {
     CentreMode centre = CentreMode::Ball;
     NormalOptions normals;
     bool guessUnit = false;                                   // where no unit is given and the size is implausible: host/mesh/mesh.h
+    bool flipV = false;                                       // the file's v runs against its format's convention: it is turned
     bool turnUp = false;                                      // z is up in the file: turned, so that y is, as glTF has it
     bool unwrap = false;                                      // make texture coordinates, in place of those that there are
     std::optional<order::Method> order = order::Method::Best; // none: the file's

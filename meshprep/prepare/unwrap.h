@@ -13,7 +13,7 @@ struct Unwrapping {
 };
 
 /// Gives every vertex a place in the unit square; vertices split where charts end. Texture coordinates that there were, and the textures
-/// that lay by them, are gone. TG7027 this build has no xatlas; TG7028 no charts could be made.
+/// that lay by them, are gone (carryTextures() draws them anew). TG7027 this build has no xatlas; TG7028 no charts could be made.
 [[nodiscard]] Result<Unwrapping> unwrap(Surface& surface);
 
 } // namespace tegument::prep

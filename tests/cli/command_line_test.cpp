@@ -116,6 +116,10 @@ TEST(CommandLine, names_that_do_not_exist_come_with_the_nearest_one) {
     expectSaid(tegument({"render", "Main", "-w", "humna.json"}), kUsage, {"TG8007", "did you mean 'human.json'?"});
     expectSaid(tegument({"render", "Main", "--mesh", ballMesh().substr(0, ballMesh().size() - 8) + "bal.obj"}), kUsage,
                {"TG8008", "did you mean", "ball.obj'?"});
+    static_cast<void>(write("photograph/hed.jpg", ""));
+    const Ran noPicture = tegument({"portrait", out("photograph/head.obj")});
+    expectSaid(noPicture, kUsage, {"TG8008"});
+    EXPECT_EQ(noPicture.err.find("hed.jpg"), std::string::npos) << "no mesh: " << noPicture.err;
     expectSaid(tegument({"render", quad(), "-t", "Mian"}), kUsage, {"TG8009", "did you mean 'Main'?"});
     expectSaid(tegument({"render", quad(), "-t", "Gosselin"}), kUsage, {"TG8009", "it has Main"});
     expectSaid(tegument({"render", "Main", "-w", ballWorkspace(), "--dump", "gTsmMpa"}), kUsage, {"TG8023", "did you mean 'gTsmMap'?"});

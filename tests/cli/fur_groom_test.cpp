@@ -72,6 +72,8 @@ TEST(FurGroom, is_told_of_in_millimetres) {
     const Ran inches = fur({"info", groomOfBall("info.obj"), "--unit-mm", "25.4", "--json"});
     EXPECT_NEAR(inches.json()["length_mm"][1].get<double>(), 25.4 * json["length_mm"][1].get<double>(), 1);
     EXPECT_NE(fur({"info", groomOfBall("info.obj")}).out.find("600 strands"), std::string::npos);
+    EXPECT_TRUE(
+        fur({"info", write("one.obj", "v 0 0 0\nv 0 9 0\nl 1 2\n")}).out.starts_with("1 strand, 0 of them guides; 2 control points"));
 }
 
 TEST(FurGroom, is_bound_to_a_skin_and_drawn_by_every_technique_that_takes_curves) {

@@ -3,6 +3,7 @@
 #include "tests/cli/program.h"
 
 #include "host/scene/presets.h"
+#include "host/support/file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -48,6 +49,52 @@ TEST(Look, a_picture_has_four_samples_a_pixel_unless_another_number_is_asked_for
     ASSERT_EQ(renderLitBall(out("one.exr"), {"--samples", "1"}).code, 0);
     EXPECT_EQ(apart(out("usual.exr"), out("four.exr")), 0);
     EXPECT_GT(apart(out("usual.exr"), out("one.exr")), 0);
+}
+
+TEST(Look, a_mesh_that_the_technique_does_not_draw_is_told) {
+    const std::string effect = write("no_mesh.fx", "float4 VS(float2 p : POSITION) : SV_Position { return float4(p, 0, 1); }\n"
+                                                   "float4 PS() : SV_Target0 { return 1; }\n"
+                                                   "#define DRAWS(what) { pass P < string Script = \"Draw=\" what \";\"; > "
+                                                   "{ VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }\n"
+                                                   "technique Whole DRAWS(\"Buffer\")\ntechnique Meshed DRAWS(\"Geometry\")\n");
+    const auto drawn = [&](const std::string& technique, std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"render", effect, "-t", technique, "--size", "16", "-o", out("no_mesh.png")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return tegument::test::tegument(arguments);
+    };
+    expectSaid(drawn("Whole", {"-m", ballMesh()}), 0, {"TG8054", ballMesh(), "another technique draws one"});
+    EXPECT_EQ(drawn("Whole", {}).err.find("TG8054"), std::string::npos);
+    EXPECT_EQ(drawn("Meshed", {"-m", ballMesh()}).err.find("TG8054"), std::string::npos);
+}
+
+TEST(Look, a_wide_picture_shows_all_that_a_square_one_shows_but_keeps_the_width_of_a_workspace_that_names_no_size) {
+    const auto drawn = [](const std::vector<std::string>& scene, const std::string& size, const std::string& fit) {
+        const std::string file = out("fit" + fit + size + ".exr");
+        std::vector<std::string> arguments = {"render", "OriginalTexture", "--size", size, "-o", file};
+        arguments.insert(arguments.end(), scene.begin(), scene.end());
+        if (!fit.empty()) arguments.insert(arguments.end(), {"--fit", fit});
+        const Ran ran = tegument::test::tegument(arguments);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return file;
+    };
+    const auto isTheDefault = [&](const std::string& fit, const std::vector<std::string>& scene, const std::string& size) {
+        return apart(drawn(scene, size, ""), drawn(scene, size, fit)) == 0;
+    };
+    const std::vector<std::string> own = {"-w", ballWorkspace()};
+    EXPECT_TRUE(isTheDefault("width", own, "96x48"));
+    EXPECT_FALSE(isTheDefault("both", own, "96x48"));
+    std::ifstream file(ballWorkspace());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::vector<std::string> sized = {"-w", write("sized.json", R"({"size": [64, 64], )" + text.substr(1))};
+    EXPECT_TRUE(isTheDefault("both", sized, "96x48"));
+    EXPECT_FALSE(isTheDefault("width", sized, "96x48"));
+    EXPECT_TRUE(isTheDefault("width", sized, "48") && isTheDefault("width", sized, "48x64")) << "as it was";
+    if (!fs::exists(tegument::cacheFolder() / "human/human.glb")) GTEST_SKIP() << "no default head: tegument prep human";
+    for (const std::vector<std::string>& ours : {std::vector<std::string>{}, {"-w", "human_front"}}) {
+        EXPECT_TRUE(isTheDefault("both", ours, "96x48")) << "scalp and chin are in the picture";
+        EXPECT_FALSE(isTheDefault("width", ours, "96x48"));
+        EXPECT_TRUE(isTheDefault("width", ours, "48")) << "as it was";
+    }
 }
 
 TEST(Look, a_technique_that_cannot_have_several_samples_is_drawn_with_one_unless_they_are_asked_for) {

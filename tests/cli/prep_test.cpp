@@ -1,10 +1,12 @@
 // tegument prep IN -o OUT, as a user runs it.
 
+#include "tests/cli/picture.h"
 #include "tests/cli/program.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -141,3 +143,40 @@ TEST(PrepMesh, warns_of_what_a_ply_file_cannot_keep) {
     EXPECT_EQ(warnings(two, "two.glb").find("TG5331"), std::string::npos);
     EXPECT_EQ(warnings(write("plain.obj", triangles + "f 1 2 3\n"), "plain.ply").find("TG5331"), std::string::npos);
 }
+
+#ifndef TEGUMENT_WITHOUT_XATLAS
+TEST(PrepMesh, draws_the_pictures_of_all_materials_anew_where_it_makes_texture_coordinates) {
+    for (const std::string name : {"a", "b"}) { // smooth, and unlike
+        tegument::Image picture = tegument::plainImage(256, 256, 3);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x)
+                for (int c = 0; c < 3; ++c)
+                    picture.at(x, y, c) = 0.5F + 0.4F * std::sin(0.06F * static_cast<float>((c + 1) * x + (name == "a" ? y : -y)));
+        ASSERT_TRUE(tegument::writePng(scratch() / (name + "_side.png"), picture, tegument::PngEncoding::Raw));
+    }
+    static_cast<void>(write("sides.mtl", "newmtl a\nmap_Kd a_side.png\nnewmtl b\nmap_Kd b_side.png\n"));
+    std::string text = "mtllib sides.mtl\n" + ballObj();
+    text.insert(text.find("f ", text.size() / 10 * 9), "usemtl b\n");
+    text.insert(text.find("\nf ") + 1, "usemtl a\n");
+    const std::string mesh = write("sides.obj", text);
+    const Ran ran = tegument::test::tegument({"prep", mesh, "--unwrap", "--unit-mm", "1", "-o", out("sides.glb")});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    ASSERT_EQ(tegument::test::tegument({"prep", mesh, "--unwrap", "--flip-v", "--unit-mm", "1", "-o", out("flipped.glb")}).code, 0);
+    EXPECT_NE(ran.out.find("1 drawn anew for these charts"), std::string::npos) << ran.out;
+    const auto drawn = [](const std::string& name, const std::string& file) {
+        return render(name, {"effects/OriginalTexture.fx", "--mesh", file, "--unit-mm", file.ends_with("glb") ? "1000" : "1", "--size",
+                             "128", "--samples", "4"})
+            .image;
+    };
+    const tegument::Image before = drawn("sides_before", mesh), after = drawn("sides_after", out("sides.glb"));
+    ASSERT_EQ(before.pixels.size(), after.pixels.size());
+    EXPECT_NE(drawn("sides_flipped", out("flipped.glb")).pixels, after.pixels);
+    double off = 0, all = 0;
+    for (std::size_t i = 0; i < before.pixels.size(); ++i) {
+        off += std::pow(static_cast<double>(before.pixels[i]) - static_cast<double>(after.pixels[i]), 2);
+        all += std::pow(static_cast<double>(before.pixels[i]), 2);
+    }
+    EXPECT_LE(std::sqrt(off / all), 0.01);
+    EXPECT_GT(all, 0);
+}
+#endif

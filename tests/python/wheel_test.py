@@ -109,6 +109,20 @@ class Wheel(unittest.TestCase):
                                  check=False)
             self.assertEqual(ran.returncode, code, ran.stdout + ran.stderr)
 
+    def test_the_lines_of_its_page_run(self):
+        page = (pathlib.Path(__file__).resolve().parents[2] / "tools/python/README.md").read_text(encoding="utf-8")
+        names = {}
+        try:
+            exec(compile(page.split("```python\n")[1].split("```")[0], "README.md", "exec"), names)
+        except tegument.Error as error:
+            if "TG8025" not in error.codes:
+                raise
+            self.skipTest(str(error))
+        self.assertEqual((names["picture"].shape, names["shown"].dtype), ((512, 512, 4), np.uint8))
+        self.assertGreater(names["picture"][..., :3].max(), 0.2)
+        self.assertGreater(np.abs(names["again"] - names["picture"]).max(), 0.01)
+        self.assertGreater(names["entering"].max(), 0)
+
     def test_bytes_to_look_at(self):
         shown = tegument.to_srgb(np.float32([[[0, 0.18, 1e9, 1]]]))
         self.assertEqual((shown.shape, shown.dtype), ((1, 1, 3), np.uint8))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the commands of README.md, of the users' pages, of docs/samples/README.md and of every `tegument help` as they stand there.
+"""Runs the commands of README.md, of the users' pages, of docs/samples/README.md and of every `tegument help` as they stand there, and the
+blocks of code between ``` of these pages.
 
 usage: lines_test.py PROGRAM REPOSITORY [--page NAME]... [--keep FOLDER] [--list]
 
@@ -9,6 +10,7 @@ colour. Windows stay open for some seconds on a display of their own. Minutes to
 """
 
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -43,6 +45,37 @@ ELSEWHERE = {
     r"man tegument": "the package",
     r"NAME\[@LIGHT\]": "a synopsis",
 }
+# Blocks of code that another test holds, by page and by what they begin with.
+HELD = {
+    ("README.md", "ID3DXEffect*"): "Readme.every_parameter_set_in_the_snippets_is_one_of_the_effect",
+    ("README.md", "ID3DX11Effect*"): "Readme.every_parameter_set_in_the_snippets_is_one_of_the_effect",
+    ("README.md", '#include "../hlsl/platform.fxh"'): "Consumer.readme_shader_compiles_beside_a_copy_of_hlsl_alone",
+    ("docs/bench.md", '{\n  "technique"'): "a template; tests/lab/bench/catalogue_test.cpp reads such entries",
+    ("docs/scripts.md", ""): "schemes; tests/effect/conformance_test.cpp has the page's cases whole",
+    ("docs/your-engine.md", '#include "../hlsl/platform.fxh"'): "tests/check/check_test.cpp, by hook_example.h",
+}
+# The rest: files to write (BLOCK is the block, HEAD its first line, REST what follows its first empty line), and the command.
+BLOCKS = {
+    ("docs/workspace.md", '{\n  "comment"'): ({"block.json": "BLOCK"}, "cp photograph.jpg pores.png && tegument render Specular -w block.json --size 96 -o block.png"),
+    ("docs/workspace.md", '{\n  "oily"'): ({"effects/Main.presets.json": "BLOCK"}, "tegument render effects/Main.fx --preset oily --size 96 --map-size 64 -o oily.png"),
+    ("docs/your-engine.md", "#include <tegument.h>"): ({"drawn.cpp": "HEAD\n#include <tuple>\nint drawn() {\nREST\nreturn 0;\n}\n"},
+                                                      "c++ -std=c++20 -fsyntax-only -I REPOSITORY/meshprep/assets -I REPOSITORY drawn.cpp"),
+    ("docs/your-engine.md", '#include "manifest.h"'): ({"player.cpp": """#include "script_player.h"
+struct Target {};
+using Values = std::map<std::string, script_player::Value>;
+struct {
+    void clear(script_player::Clear, std::optional<std::size_t>, const std::vector<float>&) {}
+    void bind(const std::vector<Target*>&, Target*, int, const Values&) {}
+    void draw(script_player::Draw) {}
+} device;
+std::map<std::string, int> pipelines;
+Target* find(const std::string&) { return nullptr; }
+CLASS
+void play(Mine& mine, const std::string& text) {
+USE
+}
+"""}, "c++ -std=c++17 -fsyntax-only -I docs/samples/player player.cpp"),
+}
 # Commands that wait for a person: closed after a while, when they must still run and have said no error.
 WAITING = re.compile(r"tegument view|--watch|--lsp")
 ANSWERED = {"--lsp": 1}  # exit code of a server whose client goes without a word
@@ -60,6 +93,30 @@ def lines_of(text):
             command = command_of(line[4:])
             if "[" not in command and "..." not in command:
                 yield number, command
+
+
+def blocks_of(page, text):
+    """(line, text) of what stands between ```."""
+    for match in re.finditer(r"^```\w*\n(.*?)^```", text, re.M | re.S):
+        yield text.count("\n", 0, match.start()) + 1, page, match[1]
+
+
+def run_block(page, block, folder, display):
+    """None: another test holds it."""
+    begins = lambda table: next((value for (name, start), value in table.items() if name == page and block.startswith(start)), None)
+    if begins(HELD):
+        return None, begins(HELD)
+    if not begins(BLOCKS):
+        return 0.0, "no test runs this block"
+    files, command = begins(BLOCKS)
+    head, _, rest = block.partition("\n\n")
+    kind, _, use = block.partition("\nconst auto manifest")
+    parts = {"BLOCK": block, "HEAD": head, "REST": rest, "CLASS": kind, "USE": "const auto manifest" + use}
+    for name, text in files.items():
+        (folder / name).write_text(re.sub("|".join(parts), lambda word: parts[word[0]], text), encoding="utf-8")
+    wrong, output, seconds = run(command.replace("REPOSITORY", str(REPOSITORY)), folder, display)
+    picture = re.search(r"-o (\S+)", command)
+    return seconds, f"{wrong}\n{output}" if wrong else judged(folder / picture[1]) if picture else ""
 
 
 def examples(program):
@@ -107,6 +164,26 @@ def write_head(folder):
     Image.open(CACHE / "human/color.png").convert("RGB").resize((1024, 1024)).save(folder / "photograph.jpg", quality=92)
 
 
+def write_walk(source, path):
+    """The same file with an animation of its node: a step forward in a second."""
+    data = source.read_bytes()
+    length = struct.unpack("<I", data[12:16])[0]
+    document, binary = json.loads(data[20:20 + length]), data[28 + length:]
+    begin = len(binary)
+    binary += struct.pack("<8f", 0, 1, 0, 0, 0, 0, 0, 0.1)
+    views, accessors = document["bufferViews"], document["accessors"]
+    views += [{"buffer": 0, "byteOffset": begin, "byteLength": 8}, {"buffer": 0, "byteOffset": begin + 8, "byteLength": 24}]
+    accessors += [{"bufferView": len(views) - 2, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                  {"bufferView": len(views) - 1, "componentType": 5126, "count": 2, "type": "VEC3"}]
+    document["animations"] = [{"name": "walk", "samplers": [{"input": len(accessors) - 2, "output": len(accessors) - 1}],
+                               "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]
+    document["buffers"][0]["byteLength"] = len(binary)
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(binary)) + struct.pack("<I4s", len(text), b"JSON") + text
+                     + struct.pack("<I4s", len(binary), b"BIN\0") + binary)
+
+
 def write_panorama(path):
     height, width = 32, 64
     rows = numpy.linspace(0, 1, height)[:, None, None]
@@ -121,9 +198,10 @@ def write_panorama(path):
 
 EFFECT = """float4x4 gMatrix;
 float3 gColour = { 0.2, 0.5, 0.9 };
+float gScale = 1;
 struct Lit { float4 place : SV_Position; float3 normal : TEXCOORD0; };
 Lit VS(float4 place : POSITION, float3 normal : NORMAL) { Lit o; o.place = mul(place, gMatrix); o.normal = normal; return o; }
-float4 PS(Lit i) : SV_Target { return float4(gColour * (0.5 + 0.5 * normalize(i.normal).y), 1); }
+float4 PS(Lit i) : SV_Target { return float4(gColour * gScale * (0.5 + 0.5 * normalize(i.normal).y), 1); }
 technique Flat { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }
 """
 
@@ -143,6 +221,10 @@ def prepare(program, folder, shared):
         shutil.copy(shared / "my.fx", shared / "my_effects/my.fx")
         (shared / "my/includes").mkdir(parents=True)
         shutil.copy(shared / "bunny.glb", shared / "my.glb")
+        write_walk(shared / "head.glb", shared / "body.glb")
+        for name in ("fresnel.hlsl", "fresnel.test.hlsl"):
+            shutil.copy(REPOSITORY / "docs/samples/test" / name, shared / name)
+        shutil.copy(shared / "fresnel.test.hlsl", shared / "my.test.hlsl")
         tegument("fur", "roots", "bunny.glb", "-o", "made.dds")
         tegument("fur", "strands", "bunny.glb", "-o", "strands.glb")
         tegument("fur", "export", "strands.glb", "--share", "0.02", "-o", "groom.abc")
@@ -262,11 +344,13 @@ def main():
     program, REPOSITORY = options.program.resolve(), options.repository.resolve()
     pages = [(str(page.relative_to(REPOSITORY)), list(lines_of(page.read_text(encoding="utf-8"))))
              for page in [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").glob("*.md")), REPOSITORY / "docs/samples/README.md"]]
+    blocks = {name: list(blocks_of(name, (REPOSITORY / name).read_text(encoding="utf-8"))) for name, _ in pages}
     pages += examples(program)
-    pages = [(name, lines) for name, lines in pages if lines and (not options.page or any(part in name for part in options.page))]
+    pages = [(name, lines) for name, lines in pages if (lines or blocks.get(name)) and (not options.page or any(part in name for part in options.page))]
     if options.list:
         for name, lines in pages:
-            print("\n".join(f"{name}:{number}: {command}" for number, command in lines))
+            for number, command in [*lines, *((number, "block of code") for number, _, _ in blocks.get(name, []))]:
+                print(f"{name}:{number}: {command}")
         return 0
     for needed in (CACHE / "human/human.glb", BUNNY):
         if not needed.exists():
@@ -280,7 +364,8 @@ def main():
             folder = scratch / re.sub(r"\W+", "-", name)
             folder.mkdir()
             prepare(program, folder, scratch / "shared")
-            for number, command, seconds, wrong in run_page(lines, folder, display):
+            code = ((number, "block of code", *run_block(page, block, folder, display)) for number, page, block in blocks.get(name, []))
+            for number, command, seconds, wrong in itertools.chain(run_page(lines, folder, display), code):
                 apart += seconds is None
                 ran += seconds is not None
                 failed += seconds is not None and bool(wrong)

@@ -106,8 +106,8 @@ Result<int> run(const BatchOptions& options, const CLI::App& program) {
     progress.clear();
     if (!ran) return ran.error();
     if (!options.json)
-        fmt::print("{} inputs: {} done, {} done before, {} failed; records in {}\n", heard, heard - before - failed, before, failed,
-                   options.results);
+        fmt::print("{}: {} done, {} done before, {} failed; records in {}\n", counted(heard, "input"), heard - before - failed, before,
+                   failed, options.results);
     return failed == 0 ? 0 : worst == 3 ? 3 : 1; // the machine, or an input
 }
 
@@ -116,7 +116,11 @@ Result<void> report(const BatchOptions& options) {
     const auto records = batch::readRecords(options.results);
     if (!records) return records.error();
     const batch::Rows rows = tableOf(*records, options.columns);
-    if (!options.report.empty()) return report::write(options.report, batch::pageOf(rows));
+    if (!options.report.empty()) {
+        const auto written = report::write(options.report, batch::pageOf(rows));
+        if (written && !options.json) fmt::print("wrote {}\n", options.report);
+        return written;
+    }
     for (const batch::Record& record : *records)
         if (options.json) fmt::print("{}\n", lineOf(record));
     if (!options.json) fmt::print("{}", table(rows.front(), {rows.begin() + 1, rows.end()}));

@@ -109,7 +109,8 @@ int inform(const GroomArguments& arguments) {
         return 0;
     }
     warn(groom->warnings);
-    fmt::print("{} strands, {} of them guides; {} control points, {}\n", f.strands, f.guides, groom->points.size(), spline);
+    fmt::print("{}, {} of them guides; {}, {}\n", counted(f.strands, "strand"), f.guides, counted(groom->points.size(), "control point"),
+               spline);
     fmt::print("as chains: {} to {} points a strand\n", f.fewest, f.most);
     fmt::print("length {:.4g} to {:.4g} mm, median {:.4g} mm\n", f.length.x, f.length.z, f.length.y);
     if (groom->widths.empty())
@@ -123,7 +124,7 @@ int inform(const GroomArguments& arguments) {
 }
 
 void printBound(const BoundFigures& f) {
-    fmt::print("{} strands of {} points\n", f.strands, f.points);
+    fmt::print("{} of {}\n", counted(f.strands, "strand"), counted(f.points, "point"));
     if (f.guides > 0) fmt::print("{} guides are not drawn\n", f.guides);
     if (f.madeSkin)
         fmt::print("no --mesh: strands alone, and nothing behind them\n");
@@ -202,7 +203,7 @@ int exportGroom(const GroomArguments& arguments) {
         return 0;
     }
     warn(warnings);
-    fmt::print("{} strands, {} control points\nwrote {}\n", groom->strands(), groom->points.size(), arguments.output);
+    fmt::print("{}, {}\nwrote {}\n", counted(groom->strands(), "strand"), counted(groom->points.size(), "control point"), arguments.output);
     return 0;
 }
 

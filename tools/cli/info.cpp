@@ -314,8 +314,8 @@ int meshInfo(const InfoOptions& options) {
     const MeshMotion motion(*mesh);
     const glm::vec3 size = mesh->bounds.maximum - mesh->bounds.minimum;
     if (!options.json) {
-        fmt::print("{}\n{} vertices, {} triangles, {} parts; {:.4g} x {:.4g} x {:.4g} mm\n\n", options.file, mesh->positions.size(),
-                   mesh->indices.size() / 3, mesh->parts.size(), size.x, size.y, size.z);
+        fmt::print("{}\n{} vertices, {}, {}; {:.4g} x {:.4g} x {:.4g} mm\n\n", options.file, mesh->positions.size(),
+                   counted(mesh->indices.size() / 3, "triangle"), counted(mesh->parts.size(), "part"), size.x, size.y, size.z);
         printRows("animations (--animation NAME --time T): seconds, channels", motion.animations);
         printRows("morph targets (--morph NAME=WEIGHT): of which node", motion.morphs);
         printRows("skins: joints", motion.skins);

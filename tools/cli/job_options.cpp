@@ -97,9 +97,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     command
         .add_option(
             "--fit", options.fit,
-            "What a picture of another shape than the scene's keeps of it: width, height, or both; a scene without a size is square")
-        ->check(CLI::IsMember({"width", "height", "both"}))
-        ->capture_default_str();
+            "What a picture of another shape than the scene's keeps of it: width, height, or both (the default); a scene without a size "
+            "is square, and keeps its width where -w names a file of yours")
+        ->check(CLI::IsMember({"width", "height", "both"}));
     command
         .add_option("--samples", options.samples,
                     "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "

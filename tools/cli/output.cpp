@@ -101,7 +101,7 @@ void warnOfForeign(const std::filesystem::path& path) {
     if (!(assets::isPicture(path) || meshWriterOf(path) || isGroom(path)) || !std::filesystem::is_regular_file(path, code) || isOurs(path))
         return;
     Diagnostic diagnostic{.severity = Severity::Warning, .code = 8028};
-    diagnostic.text = fmt::format("{} was not written by Tegument, and is replaced", path.string());
+    diagnostic.text = fmt::format("{} was not written by Tegument, and is to be replaced", path.string());
     diagnostic.hint = "the next release will refuse that without --force";
     warn({diagnostic});
 }
@@ -120,6 +120,10 @@ Result<void> checkOutput(const std::string& path, const std::vector<std::string>
 
 Result<void> checkFolder(const std::string& folder) {
     return canWrite(std::filesystem::path(folder) / ".tegument");
+}
+
+std::string counted(std::size_t number, const std::string& what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {

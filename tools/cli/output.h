@@ -37,6 +37,8 @@ void warn(const std::vector<Diagnostic>& warnings);
 /// TG5002 when files cannot be written into this folder.
 [[nodiscard]] Result<void> checkFolder(const std::string& folder);
 
+/// "1 strand", "2 strands".
+[[nodiscard]] std::string counted(std::size_t number, const std::string& what);
 /// Left-aligned first column, right-aligned others.
 [[nodiscard]] std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 

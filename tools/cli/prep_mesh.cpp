@@ -498,7 +498,9 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
 }
 
 void addUnwrapping(CLI::App& command, prep::PrepOptions& options) {
-    command.add_flag("--unwrap", options.unwrap, "Make texture coordinates: charts without overlap; those of the file and its textures go");
+    command.add_flag("--unwrap", options.unwrap,
+                     "Make texture coordinates: charts without overlap; the file's pictures are drawn anew for them");
+    command.add_flag("--flip-v", options.flipV, "The file's v runs against its format's convention (tegument portrait finds that)");
 }
 
 void addOrdering(CLI::App& command, Arguments& arguments) {

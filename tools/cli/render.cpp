@@ -280,7 +280,7 @@ void printReport(const Job& job, const gpu::Device& device, const RunResult& res
     fmt::print("{} {}, {}x{}, {}\n{} ({}){}\n\n{}", job.effect.file.filename().string(), result.technique, job.run.width, job.run.height,
                compilerName(job.run.compiler), device.info().name, device.info().driver,
                device.info().cpu ? ", a software device: times are good as ratios only" : "", table({"pass", "ms"}, timeRows(result)));
-    fmt::print("\n{} targets, {:.1f} MiB\n", result.targets.size(), static_cast<double>(result.bytes) / (1024.0 * 1024.0));
+    fmt::print("\n{}, {:.1f} MiB\n", counted(result.targets.size(), "target"), static_cast<double>(result.bytes) / (1024.0 * 1024.0));
     if (job.scene.isOwn) printSize(job);
     if (!job.scene.objects.empty()) fmt::print("{} objects, {} meshes\n", job.scene.objects.size(), job.scene.meshes.size());
     if (const auto found = result.image.metadata.find("attribution"); found != result.image.metadata.end())

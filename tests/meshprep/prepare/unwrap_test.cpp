@@ -1,6 +1,7 @@
 // Texture coordinates for meshes without: every triangle has its own place in the square.
 // How evenly strands lie that are looked up by the rest position, on shapes that are hard for maps.
 
+#include "meshprep/prepare/carry_textures.h"
 #include "meshprep/prepare/charts.h"
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/mapping.h"
@@ -133,6 +134,77 @@ protected:
     Mesh before_;
     Unwrapping made_;
 };
+
+namespace {
+
+/// What the texture holds at a place, between texels.
+glm::dvec3 texelAt(const Image& image, const glm::dvec2& uv) {
+    const glm::dvec2 at = uv * glm::dvec2(image.width, image.height) - 0.5;
+    const glm::dvec2 low = glm::floor(at), share = at - low;
+    const auto texel = [&](int i, int j) {
+        const int x = std::clamp(static_cast<int>(low.x) + i, 0, image.width - 1),
+                  y = std::clamp(static_cast<int>(low.y) + j, 0, image.height - 1);
+        return glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2));
+    };
+    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x), share.y);
+}
+
+/// The middle of a triangle: what a texture says there, and which way a normal map points.
+std::pair<glm::dvec3, glm::dvec3> shownAt(const Mesh& mesh, std::size_t triangle) {
+    glm::dvec2 uv(0);
+    glm::dvec3 normal(0), tangent(0);
+    const std::uint32_t* corners = &mesh.indices[3 * triangle];
+    for (int i = 0; i < 3; ++i) {
+        uv += glm::dvec2(mesh.uvs[corners[i]]) / 3.0;
+        normal += glm::dvec3(mesh.normals[corners[i]]) / 3.0;
+        tangent += glm::dvec3(mesh.tangents[corners[i]]) / 3.0;
+    }
+    const glm::dvec3 bump = texelAt(mesh.textures.at(1).image, uv) * 2.0 - 1.0;
+    const glm::dvec3 across = glm::cross(normal, tangent) * static_cast<double>(mesh.tangents[corners[0]].w);
+    return {texelAt(mesh.textures.at(0).image, uv), bump.x * tangent + bump.y * across + bump.z * normal};
+}
+
+} // namespace
+
+TEST_F(Unwrap, textures_are_drawn_anew_where_they_were) {
+    constexpr int kSide = 256;
+    const auto picture = [](auto value) {
+        Image image = plainImage(kSide, kSide, 3);
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x)
+                for (int c = 0; c < 3; ++c)
+                    image.at(x, y, c) = static_cast<float>(value(0.04 * x, 0.05 * y, c));
+        return image;
+    };
+    before_.uvs.clear(); // from above: both sides of the torus lie on each other
+    for (const glm::vec3& p : before_.positions)
+        before_.uvs.emplace_back(0.5F + p.x / 200, 0.5F + (p.y + 0.3F * p.z) / 220);
+    computeNormals(before_);
+    computeTangents(before_);
+    before_.textures = {{.role = "color", .image = picture([](double x, double y, int c) { return 0.5 + 0.4 * std::sin(x + c * y); })},
+                        {.role = "normal", .image = picture([](double x, double y, int c) {
+                                               return c == 2 ? 0.95 : 0.5 + 0.2 * std::sin(c == 0 ? x : y); // as stored
+                                           })}};
+    Mesh mesh = surface_.mesh;
+    computeNormals(mesh);
+    computeTangents(mesh);
+    EXPECT_EQ(carryTextures(before_, mesh), 512);
+    ASSERT_EQ(mesh.textures.size(), 2u);
+    double off = 0, all = 0;
+    std::vector<double> turns;
+    for (std::size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
+        const auto [colour, bump] = shownAt(before_, triangle);
+        const auto [colourNow, bumpNow] = shownAt(mesh, triangle);
+        off += glm::dot(colour - colourNow, colour - colourNow);
+        all += glm::dot(colour, colour);
+        turns.push_back(degreesBetween(bump, bumpNow));
+    }
+    std::ranges::sort(turns);
+    EXPECT_LE(std::sqrt(off / all), 0.01);
+    EXPECT_LE(turns[turns.size() / 2], 0.5);
+    EXPECT_LE(turns[turns.size() * 95 / 100], 3) << "seen edge-on from above the old tangents turn within a triangle";
+    EXPECT_EQ(mesh.textures.at(0).role, "color");
+}
 
 #ifdef TEGUMENT_WITHOUT_XATLAS
 TEST(UnwrapWithoutXatlas, says_what_it_lacks_and_leaves_the_mesh_alone) {

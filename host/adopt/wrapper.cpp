@@ -304,7 +304,7 @@ private:
         const std::string key = usualStream(written);
         if (job_.pixels && (key == "POSITION0" || key == "POSITIONT0" || key == "SV_POSITION0")) {
             made_.readsTargetSize = true;
-            return fmt::format("float4(({0}.xy * float2(0.5, -0.5) + 0.5) * {1}, {0}.z, 1)", stream("POSITION", "float3"), kTargetSize);
+            return fmt::format("float4(({0}{1}, {0}.z, 1)", stream("POSITION", "float3"), kInPixels);
         }
         if (key == "POSITION0" || key == "POSITIONT0" || key == "SV_POSITION0")
             return fmt::format("float4({}, 1)", stream("POSITION", "float3"));

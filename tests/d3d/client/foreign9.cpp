@@ -270,8 +270,7 @@ private:
         }
     }
 
-    void draw(UINT pass, bool covers) {
-        const Streams& streams = covers ? quad_ : mesh_;
+    void draw(UINT pass, const Streams& streams, bool covers) {
         UINT count = 0;
         must(device()->BeginScene(), "BeginScene");
         placeFixed(covers);
@@ -310,7 +309,15 @@ private:
             return must(device()->StretchRect(targets_.at(step.at(1)).surface.get(), nullptr, targets_.at(step.at(2)).surface.get(),
                                               nullptr, D3DTEXF_NONE),
                         "StretchRect");
-        draw(static_cast<UINT>(std::stoul(step.at(1))), what == "quad");
+        const auto pass = static_cast<UINT>(std::stoul(step.at(1)));
+        if (what == "mesh") return draw(pass, mesh_, false);
+        if (what == "quad") return draw(pass, quad_, true);
+        MeshFile corners = fullScreenQuad();
+        for (std::size_t i = 0; i < corners.vertices.size(); i += kVertexFloats) {
+            corners.vertices[i] = (corners.vertices[i] * 0.5F + 0.5F) * static_cast<float>(shape_.width);
+            corners.vertices[i + 1] = (0.5F - corners.vertices[i + 1] * 0.5F) * static_cast<float>(shape_.height);
+        }
+        draw(pass, uploadStreams(corners), true);
     }
 
     Pixels picture() {

@@ -36,6 +36,7 @@
 //   step number NAME VALUE                 what a loop sets
 //   step mesh PASS                         draws, by the number of the pass
 //   step quad PASS
+//   step pixels PASS                       likewise, its corners in pixels
 
 #include <array>
 #include <map>

@@ -98,12 +98,14 @@ bool Parser::stateObject(std::size_t start) {
     return true;
 }
 
-/// `stateblock X = stateblock_state { ... };` of Direct3D 9: what a pass does without it, it does here too.
+/// `stateblock X = stateblock_state { ... };` of Direct3D 9: passes name it.
 bool Parser::stateBlockObject(std::size_t start) {
     const Token keyword = take();
+    const std::string name(take().text);
+    if (lenient_ && accept('=') && acceptWord("stateblock_state") && peek().is('{')) stateBlocks_.insert_or_assign(name, at_);
     if (!skipStatement()) return false;
     blankFrom(start);
-    return refuse(2021, keyword, "state blocks are not applied");
+    return lenient_ || fail(2021, keyword, "state blocks are not applied");
 }
 
 } // namespace tegument

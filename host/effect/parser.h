@@ -232,6 +232,8 @@ private:
     bool group();
     bool pass(Technique& technique);
     bool passStatement(const Technique& technique, Pass& pass, States& states);
+    bool passStatements(const Technique& technique, Pass& pass, States& states, const Token& opened);
+    bool applyStateBlock(const Technique& technique, const Assignment& assignment, Pass& pass, States& states);
     bool direct3D10Assignment(const Technique& technique, const Assignment& assignment, Pass& pass, States& states);
     bool setStatement(const Technique& technique, Pass& pass, States& states);
     bool setState(const Technique& technique, const std::string& type, States& states);
@@ -258,6 +260,7 @@ private:
     int steps_ = 0;                               // of statements in them
     std::set<std::string, std::less<>> changing_; // parameters, and constants that are made of them
     std::map<std::string, StateObject, std::less<>> stateObjects_;
+    std::map<std::string, std::size_t> stateBlocks_;                 // Direct3D 9's: where each opens
     std::map<std::string, ShaderObject, std::less<>> shaderObjects_; // of arrays by "name[0]", "name[1]" ...
     std::map<std::string, Type, std::less<>> aliases_;
     std::map<std::string, std::shared_ptr<const std::vector<TypeMember>>, std::less<>> structures_; // null: cannot be read

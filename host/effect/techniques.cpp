@@ -120,6 +120,16 @@ bool Parser::pass(Technique& technique) {
     pixelAssembly_.reset();
     registers_.clear();
     States states{.pipeline = technique.kind == TechniqueKind::D3D9 ? direct3D9Defaults() : direct3D10Defaults()};
+    if (!passStatements(technique, pass, states, opened)) return false;
+    if (technique.kind == TechniqueKind::D3D9) finishDirect3D9(states);
+    pass.state = states.pipeline;
+    assemble(pass);
+    technique.passes.push_back(std::move(pass));
+    return true;
+}
+
+/// Until the '}' of what was opened.
+bool Parser::passStatements(const Technique& technique, Pass& pass, States& states, const Token& opened) {
     while (!accept('}')) {
         if (atEnd()) return fail(1102, opened, "this '{' is never closed");
         if (full()) return false;
@@ -131,11 +141,21 @@ bool Parser::pass(Technique& technique) {
         if (!passStatement(technique, pass, states)) recover();
         if (mark() == before) return unexpected("a state");
     }
-    if (technique.kind == TechniqueKind::D3D9) finishDirect3D9(states);
-    pass.state = states.pipeline;
-    assemble(pass);
-    technique.passes.push_back(std::move(pass));
     return true;
+}
+
+/// `StateBlock = <name>;` of Direct3D 9: its statements stand here. Within them it is unknown.
+bool Parser::applyStateBlock(const Technique& technique, const Assignment& assignment, Pass& pass, States& states) {
+    std::size_t named = assignment.value.first;
+    while (named + 1 < assignment.value.last && tokens_[named].kind != TokenKind::Word)
+        ++named;
+    auto block = stateBlocks_.extract(std::string(tokens_[named].text));
+    if (block.empty()) return refuse(2021, assignment.name, fmt::format("there is no state block '{}'", tokens_[named].text));
+    const std::size_t after = std::exchange(at_, block.mapped() + 1);
+    const bool good = passStatements(technique, pass, states, tokens_[block.mapped()]);
+    at_ = after;
+    stateBlocks_.insert(std::move(block));
+    return good;
 }
 
 bool Parser::passStatement(const Technique& technique, Pass& pass, States& states) {
@@ -149,6 +169,8 @@ bool Parser::passStatement(const Technique& technique, Pass& pass, States& state
     if (!assignment(list)) return false;
     if (technique.kind != TechniqueKind::D3D9)
         direct3D10Assignment(technique, list[0], pass, states);
+    else if (lenient_ && sameStateName(list[0].name.text, "StateBlock"))
+        return applyStateBlock(technique, list[0], pass, states);
     else
         applyToPass(list[0], pass, states);
     return true;

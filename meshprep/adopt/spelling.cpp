@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 12> kModifierWords{"linear", "centroid", 
 constexpr std::array<std::string_view, 7> kNewWords{"class", "interface", "namespace", "using", "template", "this", "enum"};
 
 /// Functions that Direct3D 9's hardware computes otherwise.
-constexpr std::array<std::string_view, 6> kArithmetic{"pow", "normalize", "sqrt", "rsqrt", "log", "log2"};
+constexpr std::array<std::string_view, 8> kArithmetic{"pow", "normalize", "sqrt", "rsqrt", "log", "log2", "acos", "asin"};
 
 template <class List>
 bool contains(const List& list, std::string_view word) {
@@ -218,6 +218,10 @@ float tg_normalize(float v) { return v < 0 ? -1 : v > 0 ? 1 : 0; }
 float2 tg_normalize(float2 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
 float3 tg_normalize(float3 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
 float4 tg_normalize(float4 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
+#define TG_ARC(T) T tg_acos(T x) { T a = abs(x); \
+T r = sqrt(abs(1 - a)) * (((-0.0187293 * a + 0.074261) * a - 0.2121144) * a + 1.5707288); return x < 0 ? 3.14159265 - r : r; } \
+T tg_asin(T x) { return 1.57079633 - tg_acos(x); }
+TG_ARC(float) TG_ARC(float2) TG_ARC(float3) TG_ARC(float4)
 float3 tg_encoded(float3 c) { c = saturate(c); return c < 0.0031308 ? c * 12.92 : 1.055 * pow(max(c, 1e-30), 1 / 2.4) - 0.055; }
 float2 tg_slice(float3 u) { return u.xy + u.z * float2(0.37, 0.61); }
 struct tg_s1D { Texture2D<float4> t; SamplerState s; };

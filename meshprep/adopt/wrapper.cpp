@@ -223,7 +223,7 @@ private:
             return assign(leaf, name);
         }
         if (const auto row = rowOfInstance(leaf)) {
-            if (*row == 0) made_.standIns.push_back(fmt::format("{} is the identity: one instance", leaf.semantic));
+            if (*row == 0) made_.standIns.push_back(fmt::format("{} is the identity: one instance", usualStream(key)));
             constexpr std::array kRows{"float4(1, 0, 0, 0)", "float4(0, 1, 0, 0)", "float4(0, 0, 1, 0)", "float4(0, 0, 0, 1)"};
             return assign(leaf, fmt::format("{}({}{})", cast, kRows[static_cast<std::size_t>(*row)], firstComponents(leaf.shape.columns)));
         }
@@ -231,7 +231,10 @@ private:
         if (const auto known = inputs_.find(key); known != inputs_.end())
             return assign(leaf, fmt::format("{}({}{})", cast, known->second, firstComponents(leaf.shape.columns)));
         std::string name;
-        if (job_.vertex) {
+        if (job_.vertex && leaf.shape.scalar.ends_with("int") && usualStream(key).starts_with("TEXCOORD")) { // numbers a bone
+            made_.standIns.push_back(fmt::format("{} is zero", usualStream(key)));
+            name = "float4(0, 0, 0, 0)";
+        } else if (job_.vertex) {
             name = vertexInput(key);
         } else if (const Port* port = provided(key); !port) {
             name = key.starts_with("COLOR") ? "float4(1, 1, 1, 1)" : "float4(0, 0, 0, 0)";
@@ -301,7 +304,7 @@ private:
         const std::string key = usualStream(written);
         if (job_.pixels && (key == "POSITION0" || key == "POSITIONT0" || key == "SV_POSITION0")) {
             made_.readsTargetSize = true;
-            return fmt::format("float4(({0}.xy * float2(0.5, -0.5) + 0.5) * {1}, {0}.z, 1)", stream("POSITION", "float3"), kTargetSize);
+            return fmt::format("float4(({0}{1}, {0}.z, 1)", stream("POSITION", "float3"), kInPixels);
         }
         if (key == "POSITION0" || key == "POSITIONT0" || key == "SV_POSITION0")
             return fmt::format("float4({}, 1)", stream("POSITION", "float3"));

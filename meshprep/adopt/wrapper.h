@@ -57,5 +57,7 @@ struct WrapperJob {
 inline constexpr const char* kPlainMatrix = "tg_WorldViewProjection";
 /// The size of what is drawn into: Direct3D 9 has the centre of a pixel half a pixel further.
 inline constexpr const char* kTargetSize = "tg_ViewportSize";
+/// In the code of vertex shaders that get the corners of the target in pixels.
+inline constexpr const char* kInPixels = ".xy * float2(0.5, -0.5) + 0.5) * tg_ViewportSize";
 
 } // namespace tegument::adopt

@@ -407,7 +407,8 @@ INSTANTIATE_TEST_SUITE_P(
         Construct{"OpenGl", R"(\bOPENGL\b)"}, Construct{"GeometryShaders", R"(SetGeometryShader\s*\(\s*(C|g|S))"},
         Construct{"Loops", R"(LoopByCount)"}, Construct{"PointSizes", R"(PSIZE)"}, Construct{"Halves", R"(\bhalf\d?\b)"},
         Construct{"PackOffsets", R"(packoffset)"}, Construct{"StateBlocks", R"(stateblock_state)"},
-        Construct{"NamelessTechniques", R"([Tt]echnique\s*\{)"}),
+        Construct{"Arcs", R"(\ba(cos|sin)\s*\(\s*[a-z])"}, Construct{"Instances", R"(float4x[34] \w+ : (BLENDWEIGHT|TEXCOORD))"},
+        Construct{"WholeStreams", R"(int\d? \w+ : TEXCOORD)"}, Construct{"NamelessTechniques", R"([Tt]echnique\s*\{)"}),
     [](const testing::TestParamInfo<Construct>& tested) { return tested.param.name; });
 
 } // namespace

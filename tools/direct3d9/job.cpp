@@ -1,5 +1,6 @@
 #include "tools/direct3d9/job.h"
 
+#include "host/adopt/wrapper.h"
 #include "host/run/geometry.h"
 #include "host/run/pixels.h"
 #include "host/run/semantics.h"
@@ -81,7 +82,8 @@ std::string drawLines(const run::DrawStep& draw) {
     for (const auto& color : draw.colors)
         lines += " " + shown(color.value_or(""));
     const auto pass = static_cast<std::size_t>(draw.pass - draw.technique->passes.data());
-    lines += fmt::format("\nstep {} {}\n", draw.kind == DrawKind::Buffer ? "quad" : "mesh", pass);
+    const bool pixels = draw.pass->vertexShader && draw.pass->vertexShader->code.find(adopt::kInPixels) != std::string::npos;
+    lines += fmt::format("\nstep {} {}\n", draw.kind != DrawKind::Buffer ? "mesh" : pixels ? "pixels" : "quad", pass);
     for (const auto& copied : draw.copies)
         lines += fmt::format("step sample {0} {0}\n", copied.first);
     return lines;

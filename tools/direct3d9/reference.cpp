@@ -45,6 +45,18 @@ AuthorsNumbers authorsNumbers(const Effect& read) {
     return numbers;
 }
 
+/// Streams that no mesh has here and that the client's mesh would have otherwise: what stands in for them is told in the notes.
+std::string streamLines(const std::vector<Diagnostic>& notes) {
+    std::string lines;
+    for (const Diagnostic& note : notes) {
+        const std::string stream = note.text.substr(0, note.text.find(' '));
+        for (const auto& [said, kind] : {std::pair(" is zero", "zero"), std::pair(" is the identity", "matrix")})
+            if (note.code == 3404 && note.text.compare(stream.size(), std::string(said).size(), said) == 0)
+                lines += fmt::format("stream {} {}\n", kind, stream);
+    }
+    return lines;
+}
+
 /// Effects of other hosts have one mesh.
 Result<std::string> meshFile(Mesh mesh, bool turned, const fs::path& folder) {
     const std::string file = turned ? "turned.mesh" : "plain.mesh";
@@ -89,7 +101,7 @@ Result<void> drawHere(gpu::Device& device, const ReferencePicture& picture, cons
         if (!file) return file.error();
         job += fmt::format("mesh {}\n", *file);
     }
-    return writeFile(folder / (picture.name + ".job"), job + *textures + *frame);
+    return writeFile(folder / (picture.name + ".job"), job + streamLines(adoption.notes) + *textures + *frame);
 }
 
 /// Those that have been drawn here.

@@ -87,13 +87,9 @@ Mesh upload(const MeshFile& file) {
 Target makeTarget(const TargetShape& shape) {
     Target target{{}, {}, shape};
     const D3DFORMAT format = targetFormat(shape).d3d;
-    if (shape.depth) {
-        must(device()->CreateDepthStencilSurface(shape.width, shape.height, format, D3DMULTISAMPLE_NONE, 0, FALSE, target.surface.put(),
-                                                 nullptr),
-             "CreateDepthStencilSurface");
-        return target;
-    }
-    const DWORD usage = D3DUSAGE_RENDERTARGET | (shape.levels == 1 ? 0 : D3DUSAGE_AUTOGENMIPMAP);
+    const DWORD usage = shape.depth         ? D3DUSAGE_DEPTHSTENCIL // sampled, it compares: a shadow map
+                        : shape.levels == 1 ? D3DUSAGE_RENDERTARGET
+                                            : D3DUSAGE_RENDERTARGET | D3DUSAGE_AUTOGENMIPMAP;
     must(device()->CreateTexture(shape.width, shape.height, shape.levels, usage, format, D3DPOOL_DEFAULT, target.texture.put(), nullptr),
          "CreateTexture");
     must(target.texture->GetSurfaceLevel(0, target.surface.put()), "GetSurfaceLevel");

@@ -15,8 +15,10 @@ namespace {
 
 using nine::device;
 
-constexpr unsigned kMadeFloats = 16; // BINORMAL, COLOR, BLENDWEIGHT, BLENDINDICES
-constexpr BYTE kMoreUvs = 8;         // TEXCOORD1 and so on are the first
+constexpr unsigned kMadeFloats = 28; // BINORMAL, COLOR, zeros, the identity
+constexpr WORD kZeros = 32;          // bytes
+constexpr WORD kIdentity = 48;
+constexpr BYTE kMoreUvs = 8; // TEXCOORD1 and so on are the first
 
 /// The mesh's stream and the one beside it.
 struct Streams {
@@ -30,8 +32,14 @@ Streams uploadStreams(const MeshFile& file) {
     for (std::size_t i = 0; i + kVertexFloats <= file.vertices.size(); i += kVertexFloats) {
         const float* n = &file.vertices[i + 3];
         const float* t = &file.vertices[i + 6];
-        made.insert(made.end(), {(n[1] * t[2] - n[2] * t[1]) * t[3], (n[2] * t[0] - n[0] * t[2]) * t[3], (n[0] * t[1] - n[1] * t[0]) * t[3],
-                                 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0});
+        const std::array<float, 6> binormal = {
+            (n[1] * t[2] - n[2] * t[1]) * t[3], (n[2] * t[0] - n[0] * t[2]) * t[3], (n[0] * t[1] - n[1] * t[0]) * t[3], 1, 1, 1};
+        made.insert(made.end(), binormal.begin(), binormal.end());
+        made.resize(made.size() + kMadeFloats - binormal.size());
+        float* last = &made[made.size() - kMadeFloats];
+        last[6] = last[7] = 1; // white
+        for (unsigned k = 0; k < 4; ++k)
+            last[kIdentity / sizeof(float) + 5 * k] = 1;
     }
     const std::size_t bytes = made.size() * sizeof(float);
     must(device()->CreateVertexBuffer(static_cast<UINT>(bytes), 0, 0, D3DPOOL_MANAGED, streams.made.put(), nullptr), "CreateVertexBuffer");
@@ -39,14 +47,33 @@ Streams uploadStreams(const MeshFile& file) {
     return streams;
 }
 
-Com<IDirect3DVertexDeclaration9> declare() {
-    std::vector<D3DVERTEXELEMENT9> elements = {
-        {0, 0, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_POSITION, 0},     {0, 12, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_NORMAL, 0},
-        {0, 24, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_TANGENT, 0},     {1, 0, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_BINORMAL, 0},
-        {1, 16, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_COLOR, 0},       {1, 16, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_COLOR, 1},
-        {1, 32, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_BLENDWEIGHT, 0}, {1, 48, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_BLENDINDICES, 0}};
+Com<IDirect3DVertexDeclaration9> declare(const Job& job) {
+    std::vector<D3DVERTEXELEMENT9> elements = {{0, 0, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_POSITION, 0},
+                                               {0, 12, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_NORMAL, 0},
+                                               {0, 24, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_TANGENT, 0},
+                                               {1, 0, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_BINORMAL, 0},
+                                               {1, 16, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_COLOR, 0},
+                                               {1, 16, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_COLOR, 1},
+                                               {1, kIdentity, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_BLENDWEIGHT, 0}, // all of the first bone
+                                               {1, kZeros, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_BLENDINDICES, 0}};
     for (BYTE i = 0; i < kMoreUvs; ++i)
         elements.push_back({0, 40, D3DDECLTYPE_FLOAT2, 0, D3DDECLUSAGE_TEXCOORD, i});
+    const std::map<std::string, D3DDECLUSAGE> usages = {{"POSITION", D3DDECLUSAGE_POSITION}, {"NORMAL", D3DDECLUSAGE_NORMAL},
+                                                        {"TEXCOORD", D3DDECLUSAGE_TEXCOORD}, {"BLENDWEIGHT", D3DDECLUSAGE_BLENDWEIGHT},
+                                                        {"TANGENT", D3DDECLUSAGE_TANGENT},   {"BLENDINDICES", D3DDECLUSAGE_BLENDINDICES}};
+    for (const auto& [kind, name] : job.streams) {
+        const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+        const auto usage = usages.find(name.substr(0, digits));
+        if (usage == usages.end()) continue; // of Direct3D 10
+        for (int row = 0; row < (kind == "matrix" ? 4 : 1); ++row) {
+            const auto index = static_cast<BYTE>(std::atoi(name.c_str() + digits) + row);
+            elements.erase(std::remove_if(elements.begin(), elements.end(),
+                                          [&](const auto& e) { return e.Usage == usage->second && e.UsageIndex == index; }),
+                           elements.end());
+            const int offset = kind == "matrix" ? kIdentity + 16 * row : kZeros;
+            elements.push_back({1, static_cast<WORD>(offset), D3DDECLTYPE_FLOAT4, 0, static_cast<BYTE>(usage->second), index});
+        }
+    }
     elements.push_back(D3DDECL_END());
     Com<IDirect3DVertexDeclaration9> declaration;
     must(device()->CreateVertexDeclaration(elements.data(), declaration.put()), "CreateVertexDeclaration");
@@ -55,7 +82,7 @@ Com<IDirect3DVertexDeclaration9> declare() {
 
 class Foreign {
 public:
-    explicit Foreign(const Job& job) : job_(job), declaration_(declare()) {
+    explicit Foreign(const Job& job) : job_(job), declaration_(declare(job)) {
         load();
         targets_["-"] = nine::makeTarget({false, job.width, job.height, "A8R8G8B8", 1});
         depths_["-"] = nine::makeTarget({true, job.width, job.height, "D24S8", 1});
@@ -66,8 +93,9 @@ public:
             unnamed_[name] = textures_.emplace_back(nine::upload(readTexture(job.path(file)))).get();
         for (const auto& [name, texture] : unnamed_)
             setTexture(name, texture);
-        for (const auto& [name, target] : targets_)
-            setTexture(name, target.texture.get());
+        for (const auto* targets : {&targets_, &depths_})
+            for (const auto& [name, target] : *targets)
+                setTexture(name, target.texture.get());
         if (job.mesh.empty()) return;
         MeshFile mesh = readMesh(job.path(job.mesh));
         for (std::size_t i = 0; i + 2 < mesh.indices.size();
@@ -242,8 +270,7 @@ private:
         }
     }
 
-    void draw(UINT pass, bool covers) {
-        const Streams& streams = covers ? quad_ : mesh_;
+    void draw(UINT pass, const Streams& streams, bool covers) {
         UINT count = 0;
         must(device()->BeginScene(), "BeginScene");
         placeFixed(covers);
@@ -282,7 +309,15 @@ private:
             return must(device()->StretchRect(targets_.at(step.at(1)).surface.get(), nullptr, targets_.at(step.at(2)).surface.get(),
                                               nullptr, D3DTEXF_NONE),
                         "StretchRect");
-        draw(static_cast<UINT>(std::stoul(step.at(1))), what == "quad");
+        const auto pass = static_cast<UINT>(std::stoul(step.at(1)));
+        if (what == "mesh") return draw(pass, mesh_, false);
+        if (what == "quad") return draw(pass, quad_, true);
+        MeshFile corners = fullScreenQuad();
+        for (std::size_t i = 0; i < corners.vertices.size(); i += kVertexFloats) {
+            corners.vertices[i] = (corners.vertices[i] * 0.5F + 0.5F) * static_cast<float>(shape_.width);
+            corners.vertices[i + 1] = (0.5F - corners.vertices[i + 1] * 0.5F) * static_cast<float>(shape_.height);
+        }
+        draw(pass, uploadStreams(corners), true);
     }
 
     Pixels picture() {

@@ -97,6 +97,9 @@ bool readForeign(const std::string& key, std::istream& line, Job& job) {
         job.foreign = true;
     } else if (key == "sized") {
         line >> job.sized.emplace_back();
+    } else if (key == "stream") {
+        auto& stream = job.streams.emplace_back();
+        line >> stream[0] >> stream[1];
     } else if (key == "step") {
         auto& words = job.steps.emplace_back();
         for (std::string word; line >> word;)

@@ -25,6 +25,8 @@
 //
 //   foreign                                passes are numbered; what has no name in the effect is left alone
 //   sized NAME                             a parameter that follows the size of what is drawn into
+//   stream zero TEXCOORD1                  the same at every vertex: zeros, or a matrix in four streams from this one on
+//   stream matrix BLENDWEIGHT0
 //   step bind DEPTH COLOUR...              names of targets; - is the application's, . is none
 //   step color TARGET R G B A              cleared
 //   step depth TARGET DEPTH
@@ -34,6 +36,7 @@
 //   step number NAME VALUE                 what a loop sets
 //   step mesh PASS                         draws, by the number of the pass
 //   step quad PASS
+//   step pixels PASS                       likewise, its corners in pixels
 
 #include <array>
 #include <map>
@@ -108,7 +111,8 @@ struct Job {
     std::map<std::string, std::string> stores; // the names of targets
     bool foreign = false;
     std::vector<std::string> sized;
-    std::vector<std::vector<std::string>> steps; // their words
+    std::vector<std::array<std::string, 2>> streams; // "zero" and the like, name
+    std::vector<std::vector<std::string>> steps;     // their words
 
     [[nodiscard]] std::string path(const std::string& file) const { return folder + "\\" + file; }
     /// A number of the user's, then the scene's; none: the effect's default holds. A position or a colour gets the fourth number that a

@@ -18,6 +18,7 @@ ALLOWED = [
     r"in the cache's data/dragon",  # Stanford's Dragon: by hand, docs/dependencies.md
     r"docs/meshprep\.md says where it comes from",
     r"\./bootstrap test fetches it where npm is",
+    r"TEGUMENT_FOREIGN_EFFECTS names a folder",  # effects of others that no package brings
     r"has room for it",  # a device with more memory than the test asks for
     r"has no timestamps|no timestamps on",
     r"error TG6024|error TG6050",  # no second source of blending, no border colours of one's own

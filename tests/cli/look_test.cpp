@@ -189,7 +189,8 @@ TEST(Look, a_turntable_is_one_animation_where_the_name_ends_in_webp) {
 TEST(Look, what_a_turntable_cannot_be_is_refused_before_work) {
     EXPECT_EQ(renderLitBall(out("one.webp")).code, 2) << "an animation of one picture";
     EXPECT_EQ(renderLitBall(out("turn.gif"), {"--turntable", "4"}).code, 2);
-    EXPECT_EQ(renderLitBall(out("turn.mp4"), {"--turntable", "4"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.avi"), {"--turntable", "4"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("one.mp4")).code, 2);
     EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "1"}).code, 2);
     EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "4", "--dump", "all"}).code, 2);
     EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "4", "--frames", "9"}).code, 2);

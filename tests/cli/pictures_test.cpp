@@ -1,10 +1,11 @@
 // The whole way through the house on a mesh that every machine has: what the program draws obeys the laws of the model.
 // `--samples`: one is at pixels' centres, several smooth edges, others are refused.
-// `render --turntable -o x.webp`, read again by libwebp's decoder.
+// `render --turntable -o x.webp` and `x.mp4`, read again by libwebp's decoder and by ffmpeg.
 
 #include "host/support/file.h"
 #include "tests/cli/picture.h"
 #include "tests/cli/program.h"
+#include "tools/process/process.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -284,6 +285,38 @@ TEST(Webp, looks_like_the_pngs_of_the_turntable) {
         ASSERT_TRUE(png);
         EXPECT_LT(framesApart(webp.pictures[i], *png), 0.01) << "what quality 90 loses, on the mean";
     }
+}
+
+TEST(Film, looks_like_the_pngs_of_the_turntable) {
+    if (!tegument::findProgram("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed (./bootstrap test brings it)";
+    const fs::path film = scratch() / "film.mp4", raw = scratch() / "film.rgba";
+    ASSERT_EQ(renderTurning(film).code, 0);
+    ASSERT_EQ(renderTurning(scratch() / "film.png").code, 0);
+    const auto ran = tegument::runProcess(
+        {.arguments = {"ffmpeg", "-nostdin", "-v", "error", "-y", "-i", film.string(), "-f", "rawvideo", "-pix_fmt", "rgba", raw.string()}},
+        60);
+    ASSERT_TRUE(ran && ran->exitCode == 0) << (ran ? ran->output : tegument::format(ran.error()));
+    const auto bytes = tegument::readFile(raw);
+    ASSERT_TRUE(bytes);
+    constexpr std::size_t kFrame = std::size_t{96} * 96 * 4;
+    ASSERT_EQ(bytes->size(), 5 * kFrame) << "every picture once";
+    for (std::size_t i = 0; i < 5; ++i) {
+        const auto png = tegument::loadImage(scratch() / fmt::format("film-{:03}.png", i + 1));
+        ASSERT_TRUE(png);
+        const Shown picture{
+            0, {bytes->begin() + static_cast<std::ptrdiff_t>(i * kFrame), bytes->begin() + static_cast<std::ptrdiff_t>((i + 1) * kFrame)}};
+        EXPECT_LT(framesApart(picture, *png), 0.02) << "colours of half resolution, and what quality 16 loses, on the mean";
+    }
+}
+
+TEST(Film, without_ffmpeg_says_what_to_install_before_work) {
+    const Ran ran = tegument::test::tegument(
+        {"render", "effects/Specular.fx", "-w", ballWorkspace(), "--size", "96", "--turntable", "5", "-o", (scratch() / "no.mp4").string()},
+        {{"PATH", "/nowhere"}});
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_NE(ran.err.find("TG5205: MP4 needs the program ffmpeg"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("apt-get install ffmpeg"), std::string::npos) << ran.err;
+    EXPECT_FALSE(fs::exists(scratch() / "no.mp4"));
 }
 
 TEST(Webp, turns_once_in_four_seconds_and_for_ever) {

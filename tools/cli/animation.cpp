@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <string>
-#include <vector>
 
 #include <webp/encode.h>
 #include <webp/mux.h>
@@ -33,16 +33,6 @@ Error cannotEncode(const char* why) {
     return machineError(5205, fmt::format("WebP cannot be encoded: {}", why && *why ? why : "libwebp gives no reason"));
 }
 
-/// Red, green, blue of each pixel, as the PNG has them.
-std::vector<unsigned char> shownBytes(const Image& radiance) {
-    const Image shown = displayed(radiance);
-    std::vector<unsigned char> bytes;
-    bytes.reserve(shown.pixels.size());
-    for (const float value : shown.pixels)
-        bytes.push_back(value > 0 ? static_cast<unsigned char>(std::lround(std::min(value, 1.0F) * 255)) : 0); // NaN is black
-    return bytes;
-}
-
 class WebpAnimation final : public Animation {
 public:
     WebpAnimation(WebPAnimEncoder* encoder, const AnimationFormat& format) : encoder_(encoder), format_(format) {}
@@ -65,8 +55,9 @@ Result<void> WebpAnimation::add(const Image& radiance) {
     frame.picture.use_argb = 1;
     frame.picture.width = format_.width;
     frame.picture.height = format_.height;
-    const std::vector<unsigned char> bytes = shownBytes(radiance);
-    if (WebPPictureImportRGB(&frame.picture, bytes.data(), 3 * format_.width) == 0) return cannotEncode("not enough memory");
+    const std::string bytes = shownBytes(radiance);
+    if (WebPPictureImportRGB(&frame.picture, reinterpret_cast<const std::uint8_t*>(bytes.data()), 3 * format_.width) == 0)
+        return cannotEncode("not enough memory");
     if (WebPAnimEncoderAdd(encoder_, &frame.picture, end_, &config) == 0) return cannotEncode(WebPAnimEncoderGetError(encoder_));
     end_ += format_.milliseconds;
     return {};
@@ -83,6 +74,15 @@ Result<void> WebpAnimation::write(const std::filesystem::path& path) {
 }
 
 } // namespace
+
+std::string shownBytes(const Image& radiance) {
+    const Image shown = displayed(radiance);
+    std::string bytes;
+    bytes.reserve(shown.pixels.size());
+    for (const float value : shown.pixels)
+        bytes.push_back(value > 0 ? static_cast<char>(std::lround(std::min(value, 1.0F) * 255)) : '\0'); // NaN is black
+    return bytes;
+}
 
 Result<std::unique_ptr<Animation>> makeAnimation(const AnimationFormat& format) {
     WebPAnimEncoderOptions options;

@@ -1,16 +1,21 @@
 #pragma once
-// Pictures that follow each other in one file: animated WebP, by libwebp.
+// Pictures that follow each other in one file: animated WebP, by libwebp, or a film in MP4, by the program ffmpeg where it is installed.
 
 #include "host/image/image.h"
 #include "host/support/text.h"
 
 #include <memory>
+#include <string>
 
 namespace tegument::app {
 
-/// By the name's ending, .webp, in small letters or capitals.
+/// By the name's ending, .mp4, in small letters or capitals.
+[[nodiscard]] inline bool isFilm(const std::filesystem::path& path) {
+    return toLower(path.extension().string()) == ".mp4";
+}
+/// The same, or .webp.
 [[nodiscard]] inline bool isAnimation(const std::filesystem::path& path) {
-    return toLower(path.extension().string()) == ".webp";
+    return toLower(path.extension().string()) == ".webp" || isFilm(path);
 }
 
 class Animation {
@@ -29,10 +34,14 @@ public:
 struct AnimationFormat {
     int width = 0;
     int height = 0;
-    int milliseconds = 0; // that each picture is shown; the last is followed by the first, for ever
+    int milliseconds = 0; // that each picture is shown; in WebP the last is followed by the first, for ever
 };
 
 /// TG5205 where the encoder cannot be had.
 [[nodiscard]] Result<std::unique_ptr<Animation>> makeAnimation(const AnimationFormat& format);
+[[nodiscard]] Result<std::unique_ptr<Animation>> makeFilm(const AnimationFormat& format);
+
+/// Red, green and blue of each pixel, as the PNG of a picture has them.
+[[nodiscard]] std::string shownBytes(const Image& radiance);
 
 } // namespace tegument::app

@@ -44,7 +44,7 @@ std::string formatOf(const RunResult& result, const std::string& target) {
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("-o,--output", options.output,
-                       "Picture to write (.png, .jpg, .exr, .dds; .webp with --turntable); default: out/<effect>.png");
+                       "Picture to write (.png, .jpg, .exr, .dds; .webp and .mp4 with --turntable); default: out/<effect>.png");
     repeatable(command.add_option("--dump-format", options.formats,
                                   "Of dumped targets: exr, dds (for engines) or png (for looking); several are separated by commas"))
         ->delimiter(',')
@@ -67,8 +67,9 @@ Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effec
         return usageError(8016, fmt::format("{} is an animation, and this is one picture", output.string()),
                           "add --turntable 48, or write a .png");
     return usageError(
-        8016, fmt::format("{} is none of {}", output.string(), moving ? ".webp, .png, .jpg, .exr and .dds" : ".png, .jpg, .exr and .dds"),
-        moving ? "WebP is one animated picture, the others are one file for each; ffmpeg -i x-%03d.png x.mp4 makes a film of them"
+        8016,
+        fmt::format("{} is none of {}", output.string(), moving ? ".webp, .mp4, .png, .jpg, .exr and .dds" : ".png, .jpg, .exr and .dds"),
+        moving ? "WebP and MP4 are one animated picture, the others are one file for each"
                : "PNG and JPEG are for looking, EXR and DDS hold the linear floats");
 }
 

@@ -53,7 +53,8 @@ public:
     Result<void> begin(const RunOptions& run, int pictures, double takes) {
         if (!isAnimation(output_)) return {};
         const int each = std::max(kShortest, static_cast<int>(std::lround(std::min(takes, 1e6) / pictures)));
-        auto animation = makeAnimation({.width = run.width, .height = run.height, .milliseconds = each});
+        const AnimationFormat format{.width = run.width, .height = run.height, .milliseconds = each};
+        auto animation = isFilm(output_) ? makeFilm(format) : makeAnimation(format);
         if (!animation) return animation.error();
         animation_ = std::move(*animation);
         return {};
@@ -406,8 +407,9 @@ void addRender(CLI::App& program, Action& action) {
                               ->check(CLI::Range(1, 10000))
                               ->capture_default_str();
     command
-        ->add_option("--turntable", options->turntable,
-                     "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp")
+        ->add_option(
+            "--turntable", options->turntable,
+            "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp or .mp4")
         ->check(CLI::Range(2, 999))
         ->excludes(dump)
         ->excludes(frames);

@@ -493,13 +493,36 @@ private:
             const auto shape = shapeOf(resolved);
             Known value = leaf("unset", resolved, name, 0);
             if (c.accept("=")) {
-                Known given = c.is("{") ? braced(c) : expression(c).value;
-                value = shape ? converted(std::move(given), *shape) : std::move(given);
-                value.matrix = value.matrix || (shape && shape->matrix);
+                const bool inBraces = c.is("{");
+                Known given = inBraces ? braced(c) : expression(c).value;
+                std::size_t next = 0;
+                if (Known all; inBraces && code_.structure(resolved.front().text) != nullptr) {
+                    all = filled(resolved, given.at, next, 0);
+                    if (next == given.at.size()) value = std::move(all); // else a part of unknown size is among them
+                } else {
+                    value = shape ? converted(std::move(given), *shape) : std::move(given);
+                    value.matrix = value.matrix || (shape && shape->matrix);
+                }
             }
             frame_->locals[name] = std::move(value);
         } while (c.accept(","));
         c.expect(";");
+    }
+
+    /// Of components in the order of their declaration, from `next` on.
+    Known filled(const Words& typeWords, const std::vector<int>& given, std::size_t& next, int depth) {
+        const Words type = code_.resolved(typeWords);
+        Known value;
+        if (const Structure* structure = code_.structure(type.front().text); structure && depth < 8) {
+            for (const Variable& member : structure->members)
+                value.members[member.name.text] = filled(member.type, given, next, depth + 1);
+            return value;
+        }
+        const auto shape = shapeOf(type);
+        for (int i = 0; i < (shape && !shape->matrix ? shape->columns : 1); ++i, ++next)
+            if (next < given.size()) value.at.push_back(given[next]);
+        if (value.at.empty()) value = unknown();
+        return value;
     }
 
     Known braced(Cursor& c) {

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kLongest = 3600;      // seconds of encoding
-constexpr const char* kQuality = "16"; // strands and pores stay
+constexpr double kLongestFilm = 3600;      // seconds of encoding
+constexpr const char* kFilmQuality = "16"; // strands and pores stay
 
 class Film final : public Animation {
 public:
@@ -65,7 +65,7 @@ Result<void> Film::write(const fs::path& path) {
                                               "-c:v",
                                               "libx264",
                                               "-crf",
-                                              kQuality,
+                                              kFilmQuality,
                                               "-pix_fmt",
                                               "yuv420p",
                                               "-colorspace",
@@ -77,7 +77,7 @@ Result<void> Film::write(const fs::path& path) {
                                               "-movflags",
                                               "+faststart",
                                               film}};
-    const auto ran = runProcess(encode, kLongest);
+    const auto ran = runProcess(encode, kLongestFilm);
     if (!ran) return ran.error();
     if (ran->exitCode != 0)
         return machineError(5205, fmt::format("MP4 cannot be encoded: {}", ran->output.substr(0, ran->output.find('\n'))),

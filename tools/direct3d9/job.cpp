@@ -1,12 +1,12 @@
 #include "tools/direct3d9/job.h"
 
-#include "host/adopt/wrapper.h"
 #include "host/run/geometry.h"
 #include "host/run/pixels.h"
 #include "host/run/semantics.h"
 #include "host/run/target_desc.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/adopt/wrapper.h"
 
 #include <fmt/format.h>
 

@@ -163,7 +163,9 @@ TgPostDisc postDisc(TgPostView view, float2 uv, float2 pixel)
                                       tgPostZ(TG_SAMPLER2D_ARG(gPostAreaDepth), uv + u)),
                           tgPostSlope(view, pixel, tgPostZ(TG_SAMPLER2D_ARG(gPostAreaDepth), uv - v), z,
                                       tgPostZ(TG_SAMPLER2D_ARG(gPostAreaDepth), uv + v)));
-    return tgPostDisc(view, uv, pixel, z, slope);
+    TgPostDisc disc = tgPostDisc(view, uv, pixel, z, slope);
+    disc.coarsest -= TEGUMENT_POST_HALF; // level 0 is level 1 of maps of the picture's resolution
+    return disc;
 }
 
 float postTurn(float2 uv)

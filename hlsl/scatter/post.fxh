@@ -216,11 +216,12 @@ struct TgPostDisc
 {
     float2 uv;
     float z;
-    float2 ray;   // x and y of a step along the view, of z 1
-    float3 steps; // uv of a mm on the disc: u of the first axis, u and v of the second
-    float area;   // mm^2 of surface in a pixel
-    float share;  // pixel, in uv^2, over area
-    float level;  // of a sample that stands for 1 mm^2
+    float2 ray;     // x and y of a step along the view, of z 1
+    float3 steps;   // uv of a mm on the disc: u of the first axis, u and v of the second
+    float area;     // mm^2 of surface in a pixel
+    float share;    // pixel, in uv^2, over area
+    float level;    // of a sample that stands for 1 mm^2
+    float coarsest; // level that samples read
 };
 
 // pixel: its size, in uv; slope: of z to the next one to the right and down.
@@ -236,6 +237,7 @@ TgPostDisc tgPostDisc(TgPostView view, float2 uv, float2 pixel, float z, float2 
     disc.area = max(length(normal), 1e-12);
     disc.share = pixel.x * pixel.y / disc.area;
     disc.level = -0.5 * log2(disc.area) - kTgPostFiner;
+    disc.coarsest = kTgPostCoarsest;
     float wide = max(length(right), 1e-9);
     float high = disc.area / wide;
     disc.steps = float3(pixel.x / wide, -pixel.x * dot(down, right) / (wide * wide * high), pixel.y / high);
@@ -265,7 +267,7 @@ float3 tgPostTarget(TgPostDisc disc, float4 tap, float2 way)
 {
     float2 at = tap.w * way;
     float2 uv = disc.uv + float2(at.x * disc.steps.x + at.y * disc.steps.y, at.y * disc.steps.z);
-    return float3(uv, floor(clamp(0.5 * log2(max(tap.x, 1e-9)) + disc.level, 0.0, kTgPostCoarsest - TEGUMENT_POST_HALF) + 0.5));
+    return float3(uv, floor(clamp(0.5 * log2(max(tap.x, 1e-9)) + disc.level, 0.0, disc.coarsest) + 0.5));
 }
 
 // The sum over the samples, and over their weights.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <fcntl.h>
 #include <poll.h>
@@ -203,6 +204,10 @@ ChildAnswer Children::ask(std::string_view request, double seconds) {
     if (answer.timedOut) kill(child.process, SIGKILL);
     answer.signal = end(child);
     return answer;
+}
+
+void setByDefault(const char* name, const char* value) {
+    ::setenv(name, value, 0);
 }
 
 } // namespace tegument

@@ -10,6 +10,9 @@
 
 namespace tegument {
 
+/// A variable of the environment of this process and of those that it starts, unless the user has set it. Before there are threads.
+void setByDefault(const char* name, const char* value);
+
 /// What became of a request.
 struct ChildAnswer {
     bool answered = false;

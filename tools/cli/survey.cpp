@@ -351,6 +351,8 @@ Row rowOf(const ChildAnswer& answer, const std::string& file) {
 /// One process for each processor. Threads of host/support/parallel.h would leave locks held in the copies of this process.
 std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path>& files, const std::vector<Target>& targets) {
     std::shared_mutex busy; // nothing else of this program runs meanwhile
+    // Small pictures, each of shaders of its own: Mesa's software device would take longer to optimise than to draw. The bits are the same.
+    setByDefault("GALLIVM_PERF", "nopt");
     Children workers([&](std::string_view file) { return answerFor(options, targets, file); }, busy);
     const std::size_t processors = std::max<std::size_t>(std::min<std::size_t>(std::thread::hardware_concurrency(), files.size()), 1);
     workers.prepare(processors);

@@ -1,5 +1,6 @@
 #include "host/support/children.h"
 
+#include <cstdlib>
 #include <exception>
 
 namespace tegument {
@@ -18,6 +19,10 @@ ChildAnswer Children::ask(std::string_view request, double) {
     } catch (const std::exception&) {
     }
     return answer;
+}
+
+void setByDefault(const char* name, const char* value) {
+    if (std::getenv(name) == nullptr) _putenv_s(name, value);
 }
 
 } // namespace tegument

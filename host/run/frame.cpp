@@ -240,7 +240,7 @@ Result<void> chooseTriangles(Builder& builder, const DrawStep& step, const Exten
 void useCoarser(const Builder& builder, const Extent& viewport, gpu::Draw& draw) {
     const RunOptions& options = builder.input.options;
     const Extent picture{static_cast<std::uint32_t>(options.width), static_cast<std::uint32_t>(options.height)};
-    if (!options.coarser || viewport != picture) return;
+    if (!options.coarser.triangles || !(options.coarser.everywhere || viewport == picture)) return;
     const Store& store = builder.resources.store;
     const Geometry& geometry = *store.meshes.at(builder.input.mesh);
     const auto coarse = store.coarse.find(builder.input.mesh);

@@ -141,7 +141,7 @@ Result<Geometry> uploadGeometry(gpu::Device& device, const Mesh& mesh) {
 }
 
 Result<void> uploadCoarser(const RunInput& input, Resources& resources) {
-    const std::shared_ptr<const FewerTriangles>& asked = input.options.coarser;
+    const std::shared_ptr<const FewerTriangles>& asked = input.options.coarser.triangles;
     if (!asked) return {};
     Store& store = resources.store;
     if (store.coarser != asked) store.coarse.clear();

@@ -36,6 +36,12 @@ struct MeshAssets {
 /// Triangles of meshes over the same vertices, fewer than they have.
 using FewerTriangles = std::map<const Mesh*, std::vector<std::uint32_t>>;
 
+/// For a picture that is drawn while something moves: where a pass would draw all of a mesh that is listed here, these are drawn.
+struct Coarser {
+    std::shared_ptr<const FewerTriangles> triangles; // none: every mesh as it is
+    bool everywhere = false;                         // otherwise into targets of the picture's size only
+};
+
 /// For a frame that may be given up: what it needs is made one after the other, and it is drawn pass by pass.
 struct DrawnInPieces {
     std::function<bool()> goOn;                 // asked between two pieces; none: the frame is drawn in one
@@ -64,9 +70,7 @@ struct RunOptions {
     /// What the last frame of a session left in its targets is not drawn again where it would be the same, bit for bit. Of one frame
     /// without others to warm up.
     bool keepUnchanged = false;
-    /// For a picture that is drawn while something moves: where a pass would draw all of a mesh that is listed here into a target of the
-    /// picture's size, these triangles are drawn. None: every mesh as it is.
-    std::shared_ptr<const FewerTriangles> coarser;
+    Coarser coarser;
     DrawnInPieces pieces; // with `keepUnchanged`, of one frame
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these

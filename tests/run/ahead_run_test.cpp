@@ -278,5 +278,33 @@ TEST_F(MadeOfAMesh, is_held_against_the_mesh_once_where_it_is_given) {
     EXPECT_EQ(checked_, 1);
 }
 
+class OfFewerTexels : public Run {};
+
+/// As the viewer draws while the light moves: maps of a quarter of the texels along each side, one sample a pixel, a small picture.
+TEST_F(OfFewerTexels, a_picture_with_half_of_a_body_in_shadow_is_as_bright_as_the_whole_one) {
+    const Mesh mesh = sphere();
+    const auto mean = [&](const char* side, int pixels, int samples, const glm::vec3& light) {
+        const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", side}}});
+        EXPECT_TRUE(succeeded(effect));
+        EffectSession session(*device_, *effect, {.mesh = &mesh});
+        Workspace workspace = closeUp();
+        workspace.light.position = light;
+        const RunOptions options{
+            .technique = "DEonLuebke", .width = pixels, .height = pixels, .samples = samples, .compiler = defaultCompiler()};
+        EXPECT_TRUE(succeeded(session.draw(workspace, options)));
+        const auto image = run::readBack(*device_, *session.target(""));
+        EXPECT_TRUE(image);
+        double sum = 0;
+        for (std::size_t i = 0; i < image->pixels.size(); ++i)
+            sum += i % 4 == 3 ? 0 : static_cast<double>(image->pixels[i]);
+        return sum / (pixels * pixels);
+    };
+    for (const glm::vec3& light : {glm::vec3(-600, 100, 0), glm::vec3(100, 500, -400)}) {
+        const double whole = mean("512", 256, 4, light);
+        EXPECT_GT(whole, 0);
+        EXPECT_NEAR(mean("128", 96, 1, light) / whole, 1, 0.03) << "nobody sees a few percent while something moves";
+    }
+}
+
 } // namespace
 } // namespace tegument::test

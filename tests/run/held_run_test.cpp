@@ -342,17 +342,22 @@ std::vector<std::uint32_t> halfOf(const Mesh& mesh) {
     return {mesh.indices.begin(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(mesh.indices.size() / 6 * 3)};
 }
 
-TEST_F(Held, fewer_triangles_change_the_picture_alone) {
+TEST_F(Held, fewer_triangles_change_the_picture_alone_or_everything_as_asked) {
     load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}});
     const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler()};
     const Workspace workspace = closeUp();
     (void)drawn(workspace, options);
     RunOptions coarse = options;
-    coarse.coarser = std::make_shared<FewerTriangles>(FewerTriangles{{&mesh_, halfOf(mesh_)}});
+    coarse.coarser.triangles = std::make_shared<FewerTriangles>(FewerTriangles{{&mesh_, halfOf(mesh_)}});
     EXPECT_EQ(drawn(workspace, coarse), HeldNames{"Final"});
     EXPECT_TRUE(isAsDrawnAnew(workspace, coarse));
     EXPECT_FALSE(isAsDrawnAnew(workspace, options)) << "half of the ball is missing";
     EXPECT_EQ(drawn(workspace, options), HeldNames{"Final"}) << "the maps were left";
+    EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+    coarse.coarser.everywhere = true;
+    EXPECT_EQ(drawn(workspace, coarse).size(), 13U);
+    EXPECT_TRUE(isAsDrawnAnew(workspace, coarse));
+    EXPECT_EQ(drawn(workspace, options).size(), 13U);
     EXPECT_TRUE(isAsDrawnAnew(workspace, options));
 }
 

@@ -113,8 +113,9 @@ TEST(WhileItMoves, a_pass_is_cut_until_no_band_is_long_and_joined_again_once_it_
 }
 
 TEST(WhileItMoves, the_line_that_says_so_is_no_wider_than_what_stands_there_at_rest) {
+    const Sharpness draft{.share = 0.25, .drafting = true, .coarse = true, .single = true};
     const std::string usual = "Main.fx  technique DEonLuebke  setting corrected";
-    EXPECT_LE(draftText(1920, 1080).size(), usual.size()) << "its panel would cover, and darken, more of the picture";
+    EXPECT_LE(draftText(draft, 1920, 1080).size(), usual.size()) << "its panel would cover, and darken, more of the picture";
 }
 
 TEST(Zoom, keeps_what_is_under_the_cursor_and_ends_at_32) {

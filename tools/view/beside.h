@@ -16,6 +16,8 @@ namespace tegument::view {
 struct Beside {
     std::string name;
     std::unique_ptr<Loaded> loaded; // none: a saved picture
+    std::unique_ptr<Loaded> draft;  // with fewer texels in its maps, while the light moves; none: there is none
+    bool drafting = false;          // that is what was drawn
     std::string technique;
     std::map<std::string, std::vector<double>> parameters;
     bool display = false; // `values` are a display's light, as 8-bit files hold it
@@ -31,6 +33,10 @@ struct Beside {
     bool haveErrors = false; // of this frame
     RehearsalCosts moves;    // once it was rehearsed
     bool rehearsed = false;  // a small picture was drawn, and the next one is quick
+    bool draftDrawn = false; // likewise, with fewer texels in its maps
+
+    /// Of what was drawn.
+    [[nodiscard]] EffectSession& session() { return (drafting ? draft : loaded)->session; }
 };
 
 /// A stored picture as light: 8-bit values without their sRGB curve; four channels.

@@ -31,8 +31,8 @@ double fitting(double share) {
 
 } // namespace
 
-std::string draftText(std::uint32_t width, std::uint32_t height) {
-    return fmt::format("while it moves: {} x {}", width, height);
+std::string draftText(const Sharpness& how, std::uint32_t width, std::uint32_t height) {
+    return fmt::format("while it moves: {} x {}{}", width, height, how.drafting ? ", small maps" : "");
 }
 
 double quickShare(double whole, const QuickPicture& last) {

@@ -13,15 +13,16 @@ enum class Moving { Camera, Rest };
 
 /// How the picture is drawn: as it is to be, or so that it is there soon.
 struct Sharpness {
-    double share = 1;    // of each side of the picture
-    bool coarse = false; // with fewer triangles
-    bool single = false; // with one sample a pixel, as all that is not whole
+    double share = 1;      // of each side of the picture
+    bool drafting = false; // by the session with fewer texels in its maps
+    bool coarse = false;   // with fewer triangles
+    bool single = false;   // with one sample a pixel, as all that is not whole
 
-    [[nodiscard]] bool whole() const { return share == 1 && !coarse && !single; }
+    [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse && !single; }
 };
 
-/// "while it moves: 240 x 135": short, or the text's panel would be wider, and the picture darker, than at rest.
-[[nodiscard]] std::string draftText(std::uint32_t width, std::uint32_t height);
+/// "while it moves: 240 x 135, small maps": short, or the text's panel would be wider, and the picture darker, than at rest.
+[[nodiscard]] std::string draftText(const Sharpness& how, std::uint32_t width, std::uint32_t height);
 
 /// A picture drawn while something moves.
 struct QuickPicture {

@@ -443,7 +443,7 @@ RunOptions Viewer::runOptionsOf(const ViewRequest& request) {
     options.height = static_cast<int>(drawnPixels().height);
     options.keepUnchanged = true;
     if (isDraft()) options.samples = 1;
-    if (sharpness_.coarse) options.coarser = fewer_;
+    if (sharpness_.coarse) options.coarser = {.triangles = fewer_, .everywhere = sharpness_.drafting};
     if (inPieces_) options.pieces = {.goOn = [this] { return mayGoOn(); }, .bands = pieces_.bands(), .others = kUnknownBands};
     return options;
 }

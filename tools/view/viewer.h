@@ -128,7 +128,7 @@ private:
     [[nodiscard]] Result<void> drawAs(const Sharpness& how);
     [[nodiscard]] bool isDraft() const { return !sharpness_.whole(); }
     /// Of what is shown.
-    [[nodiscard]] EffectSession& session() { return loaded_->session; }
+    [[nodiscard]] EffectSession& session() { return (sharpness_.drafting ? draft_ : loaded_)->session; }
     /// Of a whole picture.
     void noteCosts();
     /// What the last frame's passes took, of both sides.
@@ -151,14 +151,24 @@ private:
     /// Once the window rests: what a move will need. A little at a time.
     [[nodiscard]] Result<void> prepareToMove();
     [[nodiscard]] bool preparing() const;
+    [[nodiscard]] bool wantsDraft() const;
     /// Draws small pictures of each side that nobody sees: what a device makes for its first one is then there, and which passes a move of
-    /// the camera draws, and what they take, is known.
-    void rehearse();
+    /// the camera draws, and what they take, is known. True: both sides are done.
+    [[nodiscard]] bool rehearse();
     /// Of one side. None: it was given up.
     [[nodiscard]] std::optional<RehearsalCosts> rehearse(Loaded& side, const std::string& technique,
                                                          const std::map<std::string, std::vector<double>>& parameters);
+    void rehearseDraftBeside();
     /// Meshes in fewer triangles, made by another thread; takes them once they are there.
     void takeFewer();
+    /// Begins to read the effect with fewer texels in the maps that do not follow the picture's size, where it has such.
+    void readDraft();
+    /// A session of that, if it does ask how many they are (TEGUMENT_MAP_SIZE), has drawn a frame. It may take several calls.
+    [[nodiscard]] bool haveDraft(bool inPieces);
+    [[nodiscard]] Result<SessionFrame> drawDraft(bool inPieces);
+    /// The kept side moves as fast as the picture, where it is of the same effect.
+    void shareDraft();
+    void dropDraft();
     void dropFewer();
 
     // viewer_beside.cpp
@@ -263,9 +273,12 @@ private:
     std::string title_;
     Sharpness sharpness_; // of what is shown
     MovingCosts costs_;
+    std::unique_ptr<Loaded> draft_;
+    MovingCosts draftCosts_;
     std::shared_ptr<const FewerTriangles> fewer_;
     std::future<FewerTriangles> fewerMaking_;
     std::vector<std::future<FewerTriangles>> fewerAbandoned_; // of scenes that are gone
+    std::unique_ptr<Reading> draftReading_;
     Wanted wanted_;
     std::unique_ptr<Making> making_;
     std::deque<Opening> dropped_;                                     // that wait
@@ -284,6 +297,8 @@ private:
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;
     bool rehearsed_ = false;
+    bool draftTried_ = false; // there is one, or none can be
+    bool draftDrawn_ = false;
     bool fewerAsked_ = false;
     bool inPieces_ = false; // what is drawn now
     bool stale_ = false;    // what is to be shown is not drawn yet

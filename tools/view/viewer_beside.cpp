@@ -53,6 +53,7 @@ Result<void> Viewer::keep() {
     beside_->technique = state_.technique;
     beside_->parameters = state_.parameters;
     notice("kept: " + beside_->name);
+    shareDraft();
     return drawAs(sharpness_);
 }
 
@@ -82,8 +83,8 @@ Result<void> Viewer::drawBeside() {
         const auto frame = drawSide();
         if (!frame) return frame.error();
         beside.times.note(*frame);
-        beside.costs = costsOf(*frame, beside.loaded->session);
-        const gpu::Texture* same = beside.loaded->session.target(shownTarget(state_, frame_));
+        beside.costs = costsOf(*frame, beside.session());
+        const gpu::Texture* same = beside.session().target(shownTarget(state_, frame_));
         if (!same || same->desc().cube) return {};
     }
     beside.drawn = true;
@@ -94,7 +95,8 @@ Result<SessionFrame> Viewer::drawSide() {
     RunOptions options = runOptions();
     options.technique = beside_->technique;
     options.parameters = beside_->parameters;
-    return beside_->loaded->session.draw(area_.seen(state_.workspace, size_), options);
+    beside_->drafting = sharpness_.drafting && beside_->draft;
+    return beside_->session().draw(area_.seen(state_.workspace, size_), options);
 }
 
 Result<void> Viewer::paintBeside() {
@@ -105,7 +107,7 @@ Result<void> Viewer::paintBeside() {
         forgetError();
     }
     if (const auto made = makePicture(beside.picture, "picture beside"); !made) return made;
-    gpu::Texture* texture = beside.loaded ? beside.loaded->session.target(shownTarget(state_, frame_)) : &beside.stored;
+    gpu::Texture* texture = beside.loaded ? beside.session().target(shownTarget(state_, frame_)) : &beside.stored;
     Levels levels = shownLevels();
     if (beside.display) levels = {.channel = state_.channel, .toneMap = false, .encode = true};
     return canvas_->show(beside.picture, *texture, levels, fitOf(*texture));
@@ -117,7 +119,7 @@ Result<std::pair<Image, const Image*>> Viewer::sides() {
     const auto now = targets_.image(device_, session(), shown, state_.level);
     if (!now) return now.error();
     if (beside.values.pixels.empty()) {
-        gpu::Texture& texture = *beside.loaded->session.target(shown);
+        gpu::Texture& texture = *beside.session().target(shown);
         auto values = run::readBack(device_, texture, std::min(static_cast<std::uint32_t>(state_.level), texture.desc().mips - 1));
         if (!values) return values.error();
         beside.values = std::move(*values);
@@ -128,8 +130,8 @@ Result<std::pair<Image, const Image*>> Viewer::sides() {
 std::vector<std::string> Viewer::probedBeside(const std::string& shown, glm::dvec2 place) {
     if (!beside_ || !beside_->drawn) return {};
     auto here = probe(session(), shown, state_.level, place);
-    const auto there = beside_->loaded ? probe(beside_->loaded->session, shown, state_.level, place)
-                                       : std::optional(probedTexel(shown, beside_->values, place));
+    const auto there =
+        beside_->loaded ? probe(beside_->session(), shown, state_.level, place) : std::optional(probedTexel(shown, beside_->values, place));
     if (!here || !there) return {};
     if (beside_->display) {
         const Image texel{.width = 1, .height = 1, .channels = static_cast<int>(here->values.size()), .pixels = here->values};

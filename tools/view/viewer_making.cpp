@@ -118,7 +118,7 @@ Result<void> Viewer::takeReading() {
 
 Sharpness Viewer::soon() const {
     if (!costs_.slow(Moving::Rest)) return {};
-    return {.share = costs_.share(Moving::Rest), .coarse = fewer_ != nullptr, .single = true};
+    return {.share = costs_.share(Moving::Rest), .drafting = false, .coarse = fewer_ != nullptr, .single = true};
 }
 
 Result<void> Viewer::drawMaking() {
@@ -153,7 +153,7 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     state_.binds = made->wanted.binds;
     adopt(state_, made->loaded->effect);
     wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};
-    rehearsed_ = false;
+    dropDraft();
     sharpness_ = made->how;
     torn_ = broken_ = false;
     ++made_;

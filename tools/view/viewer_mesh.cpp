@@ -48,7 +48,7 @@ Result<void> Viewer::countFur() {
 Result<void> Viewer::bakeAgain(const std::string& name) {
     notice("baking " + name);
     loaded_->session.bakeAgain(name);
-    rehearsed_ = false;
+    dropDraft();
     dropMeshes(); // roots of fur are counted anew
     targets_.forgetAll();
     const auto drawn = draw();

@@ -10,6 +10,7 @@ namespace tegument::view {
 namespace {
 
 constexpr std::chrono::milliseconds kStill(150); // nothing has moved for so long
+constexpr double kMapsToDraft = 100;             // milliseconds of maps that a smaller picture does not mend
 
 } // namespace
 
@@ -19,14 +20,17 @@ Result<void> Viewer::draw() {
 
 Result<void> Viewer::drawMoving(Moving what, bool learns) {
     takeFewer();
+    const double maps = what == Moving::Camera ? costs_.camera : costs_.anything;
     Sharpness how = sharpness_;
-    how.share = costs_.share(what);
-    how.single = how.single || costs_.slow(what);
+    how.drafting = how.drafting || (maps > kMapsToDraft && haveDraft(false));
+    MovingCosts& costs = how.drafting ? draftCosts_ : costs_;
+    how.share = costs.share(what);
+    how.single = how.single || how.drafting || costs.slow(what);
     how.coarse = fewer_ && how.single;
     const auto begin = std::chrono::steady_clock::now();
     const auto drawn = drawAs(how);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    if (learns) costs_.note(passCosts(), took.count(), sharpness_.share, what, isDraft());
+    if (learns) costs.note(passCosts(), took.count(), sharpness_.share, what, isDraft());
     return drawn;
 }
 
@@ -60,7 +64,7 @@ PassCosts Viewer::passCosts() {
 Result<void> Viewer::drawAs(const Sharpness& how) {
     sharpness_ = how;
     torn_ = stale_ = false; // an error is shown instead
-    auto frame = drawWith(*loaded_);
+    auto frame = drawWith(how.drafting ? *draft_ : *loaded_);
     if (!frame) return report(&loaded_->effect, frame.error());
     const auto developed = develop(std::move(*frame));
     moved_ = std::chrono::steady_clock::now(); // the other side and the window's picture take a while, too
@@ -88,7 +92,7 @@ Result<void> Viewer::sharpen() {
     }
     if (!frame->givenUp && !(side && side->givenUp)) return develop(std::move(*frame));
     sharpness_ = shown;
-    torn_ = !stale_;
+    torn_ = !stale_ && !shown.drafting;
     return {};
 }
 

@@ -61,7 +61,7 @@ void Viewer::showOpened(ViewRequest request) {
     area_.shape = static_cast<double>(request_.run.width) / std::max(1, request_.run.height);
     dropFewer();
     dropMeshes();
-    costs_ = {};
+    costs_ = draftCosts_ = {};
 }
 
 } // namespace tegument::view

@@ -148,7 +148,7 @@ std::string Viewer::statusText() const {
     if (state_.levels > 1 && state_.show != Show::Picture) add(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
     if (state_.stops != 0) add(fmt::format("{:+.1f} stops", state_.stops));
     if (state_.zoom != 1) add(fmt::format("{:.0f} times as large", state_.zoom));
-    if (isDraft()) add(draftText(drawnPixels().width, drawnPixels().height));
+    if (isDraft()) add(draftText(sharpness_, drawnPixels().width, drawnPixels().height));
     add(fmt::format("{} x {}", size_.width, size_.height));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) add(found->second);
     return text;

@@ -52,11 +52,14 @@ TEST(Look, a_picture_has_four_samples_a_pixel_unless_another_number_is_asked_for
 }
 
 TEST(Look, a_mesh_that_the_technique_does_not_draw_is_told) {
-    const std::string effect = write("no_mesh.fx", "float4 VS(float2 p : POSITION) : SV_Position { return float4(p, 0, 1); }\n"
-                                                   "float4 PS() : SV_Target0 { return 1; }\n"
-                                                   "#define DRAWS(what) { pass P < string Script = \"Draw=\" what \";\"; > "
-                                                   "{ VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }\n"
-                                                   "technique Whole DRAWS(\"Buffer\")\ntechnique Meshed DRAWS(\"Geometry\")\n");
+    const std::string effect =
+        write("no_mesh.fx", "float4x4 gWorldViewProjection : WORLDVIEWPROJECTION;\n"
+                            "float4 QuadVS(float2 p : POSITION) : SV_Position { return float4(p, 0, 1); }\n"
+                            "float4 MeshVS(float4 p : POSITION) : SV_Position { return mul(p, gWorldViewProjection); }\n"
+                            "float4 PS() : SV_Target0 { return 1; }\n"
+                            "technique Whole { pass P < string Script = \"Draw=Buffer;\"; > "
+                            "{ VertexShader = compile vs_3_0 QuadVS(); PixelShader = compile ps_3_0 PS(); } }\n"
+                            "technique Meshed { pass P { VertexShader = compile vs_3_0 MeshVS(); PixelShader = compile ps_3_0 PS(); } }\n");
     const auto drawn = [&](const std::string& technique, std::vector<std::string> more) {
         std::vector<std::string> arguments = {"render", effect, "-t", technique, "--size", "16", "-o", out("no_mesh.png")};
         arguments.insert(arguments.end(), more.begin(), more.end());

@@ -190,7 +190,7 @@ void profiles(Cases& cases) {
 void sums(Cases& cases) {
     const std::string disc = kView + "TgPostDisc disc = tgPostDisc(view, float2(0.4, 0.6), texel, 50.0, a0); ";
     const std::string flat = "TgPostDisc disc = (TgPostDisc)0; disc.uv = float2(0.4, 0.6); disc.steps = float3(0.02, -0.003, 0.025); "
-                             "disc.level = -0.5; ";
+                             "disc.level = -0.5; disc.coarsest = 6; ";
     struct Disc {
         double area, wide;
         dvec2 rise; // of a row, along the axes

@@ -92,13 +92,15 @@ void partOpening(Surface& surface) {
     const std::vector<std::uint32_t> first = firstEqual(surface.point.size(), [&](std::uint32_t i) {
         return std::array{surface.point[i], opens[surface.point[i]] != 0 ? movementOf(mesh, i) : 0U};
     });
-    std::vector<std::uint8_t> taken(surface.pointCount, 0); // by the first movement there
+    std::vector<bool> taken(surface.pointCount, false); // by the first movement there
     std::vector<std::uint32_t> point(surface.point.size());
     for (std::uint32_t i = 0; i < first.size(); ++i)
-        if (first[i] != i)
+        if (first[i] != i) {
             point[i] = point[first[i]];
-        else
-            point[i] = taken[surface.point[i]]++ == 0 ? surface.point[i] : surface.pointCount++;
+        } else {
+            point[i] = taken[surface.point[i]] ? surface.pointCount++ : surface.point[i];
+            taken[surface.point[i]] = true;
+        }
     surface.point = std::move(point);
 }
 
